@@ -19,7 +19,7 @@ Milliseconds shown(Milliseconds lease_until) { return lease_until / 5'000 * 5'00
 
 }  // namespace
 
-std::string_view name_of(HelmState state) noexcept {
+std::string_view name_of(HelmPhase state) noexcept {
   static constexpr std::array<std::string_view, 5> names{"free", "held", "requested", "allowed",
                                                          "lost"};
   return names[static_cast<std::size_t>(state)];
@@ -34,7 +34,7 @@ void Helms::hold(Vehicle& vehicle, const Seat& seat, Milliseconds now) {
   vehicle.lease_until = now + lease_ms;
   vehicle.lost_at.reset();
   vehicle.is_held_for_lost = false;
-  vehicle.now = {HelmState::held, seat.number, "", 0, shown(vehicle.lease_until), false};
+  vehicle.now = {HelmPhase::held, seat.number, "", 0, shown(vehicle.lease_until), false};
 }
 
 void Helms::free(Vehicle& vehicle) {
@@ -45,13 +45,13 @@ void Helms::free(Vehicle& vehicle) {
 
 void Helms::end_request(Vehicle& vehicle) {
   vehicle.now.asker = 0;
-  vehicle.now.state = vehicle.now.seat == 0 && vehicle.now.agent.empty() ? HelmState::free
-                      : vehicle.lost_at                                  ? HelmState::lost
-                                                                         : HelmState::held;
+  vehicle.now.state = vehicle.now.seat == 0 && vehicle.now.agent.empty() ? HelmPhase::free
+                      : vehicle.lost_at                                  ? HelmPhase::lost
+                                                                         : HelmPhase::held;
   vehicle.now.until.reset();
-  if (vehicle.now.state == HelmState::held && vehicle.now.seat != 0)
+  if (vehicle.now.state == HelmPhase::held && vehicle.now.seat != 0)
     vehicle.now.until = shown(vehicle.lease_until);
-  if (vehicle.now.state == HelmState::lost) vehicle.now.until = vehicle.kept_until;
+  if (vehicle.now.state == HelmPhase::lost) vehicle.now.until = vehicle.kept_until;
 }
 
 Refusal Helms::not_yours(const Vehicle& vehicle, std::string_view to_do) const {
@@ -68,10 +68,10 @@ Helms::Answer Helms::ask(const Seat& seat, std::size_t i, Milliseconds now) {
   const std::string client = client_of(seat);
   if (vehicle.now.seat == seat.number) {
     vehicle.lease_until = now + lease_ms;
-    if (vehicle.now.state == HelmState::held) vehicle.now.until = shown(vehicle.lease_until);
+    if (vehicle.now.state == HelmPhase::held) vehicle.now.until = shown(vehicle.lease_until);
     return std::nullopt;
   }
-  if (vehicle.now.state == HelmState::allowed) {
+  if (vehicle.now.state == HelmPhase::allowed) {
     if (auto refused = arbiter_.take_over(client, i, arbiter_.time_s())) return refused;
     hold(vehicle, seat, now);
     return std::nullopt;
@@ -91,7 +91,7 @@ Helms::Answer Helms::ask(const Seat& seat, std::size_t i, Milliseconds now) {
                   "{:.0f} s",
                   vehicle.name, seconds(*vehicle.now.until - now)));
   if (vehicle.now.asker == seat.number) return std::nullopt;
-  vehicle.now.state = HelmState::requested;
+  vehicle.now.state = HelmPhase::requested;
   vehicle.now.asker = seat.number;
   vehicle.now.until = now + request_ms;
   return std::nullopt;
@@ -115,11 +115,11 @@ Helms::Answer Helms::give_back(const Seat& seat, std::size_t i) {
 Helms::Answer Helms::allow(const Seat& seat, std::size_t i, Milliseconds now) {
   Vehicle& vehicle = vehicles_.at(i);
   if (vehicle.now.seat != seat.number) return not_yours(vehicle, "let others take it");
-  if (vehicle.now.state == HelmState::requested)
+  if (vehicle.now.state == HelmPhase::requested)
     return unauthorised("somebody asks for this helm; grant it or deny it");
   // At every door: a client of another one may ask for it as well.
   if (auto refused = arbiter_.allow_take_over(vehicle.client, i, arbiter_.time_s())) return refused;
-  vehicle.now.state = HelmState::allowed;
+  vehicle.now.state = HelmPhase::allowed;
   vehicle.now.until = now + leave_ms;
   return std::nullopt;
 }
@@ -163,7 +163,7 @@ void Helms::note_input(const Seat& seat, std::size_t i, Milliseconds now) {
   Vehicle& vehicle = vehicles_.at(i);
   if (vehicle.now.seat != seat.number) return;
   vehicle.lease_until = now + lease_ms;
-  if (vehicle.now.state == HelmState::held) vehicle.now.until = shown(vehicle.lease_until);
+  if (vehicle.now.state == HelmPhase::held) vehicle.now.until = shown(vehicle.lease_until);
 }
 
 void Helms::lose(const Seat& seat, Milliseconds now, std::optional<Milliseconds> kept_until) {
@@ -175,8 +175,8 @@ void Helms::lose(const Seat& seat, Milliseconds now, std::optional<Milliseconds>
     }
     vehicle.kept_until = kept_until;
     vehicle.now.is_raw = false;  // what was confirmed is confirmed anew
-    if (vehicle.now.state == HelmState::requested) continue;
-    vehicle.now.state = HelmState::lost;
+    if (vehicle.now.state == HelmPhase::requested) continue;
+    vehicle.now.state = HelmPhase::lost;
     vehicle.now.until = kept_until;
   }
 }
@@ -187,7 +187,7 @@ void Helms::back(const Seat& seat, Milliseconds now) {
     vehicle.lost_at.reset();
     vehicle.is_held_for_lost = false;
     vehicle.lease_until = now + lease_ms;
-    if (vehicle.now.state == HelmState::requested) continue;
+    if (vehicle.now.state == HelmPhase::requested) continue;
     end_request(vehicle);
   }
 }
@@ -219,7 +219,7 @@ void Helms::look_at(std::size_t i, const Seats& seats, Milliseconds now,
   }
   if (is.seat == 0 && is.agent != holder) {
     is.agent = holder;
-    if (is.asker == 0) is.state = holder.empty() ? HelmState::free : HelmState::held;
+    if (is.asker == 0) is.state = holder.empty() ? HelmPhase::free : HelmPhase::held;
   }
   if (vehicle.lost_at && !vehicle.is_held_for_lost && now >= *vehicle.lost_at + unheard_ms) {
     arbiter_.unheard(vehicle.client, i, arbiter_.time_s());
@@ -244,8 +244,8 @@ void Helms::look_at(std::size_t i, const Seats& seats, Milliseconds now,
     changes.push_back({i, number, "request lapsed"});
     return;
   }
-  if (is.state == HelmState::allowed && now >= *is.until) end_request(vehicle);
-  if (is.state == HelmState::held && is.seat != 0 && now >= vehicle.lease_until) {
+  if (is.state == HelmPhase::allowed && now >= *is.until) end_request(vehicle);
+  if (is.state == HelmPhase::held && is.seat != 0 && now >= vehicle.lease_until) {
     changes.push_back({i, is.seat, "lease over"});
     (void)arbiter_.release(vehicle.client, i, arbiter_.time_s());
     free(vehicle);

@@ -10,11 +10,11 @@
 namespace slackwater::people {
 
 /// Whose the helm of a vehicle is, as every station is shown it.
-enum class HelmState : std::uint8_t { free, held, requested, allowed, lost };
-[[nodiscard]] std::string_view name_of(HelmState state) noexcept;
+enum class HelmPhase : std::uint8_t { free, held, requested, allowed, lost };
+[[nodiscard]] std::string_view name_of(HelmPhase state) noexcept;
 
 struct HelmNow {
-  HelmState state = HelmState::free;
+  HelmPhase state = HelmPhase::free;
   unsigned seat = 0;                  ///< of the holder; 0: nobody, or no person
   std::string agent;                  ///< a holder that is no person: a client of another door
   unsigned asker = 0;                 ///< its seat

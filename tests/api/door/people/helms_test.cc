@@ -7,8 +7,8 @@
 namespace slackwater::tests::helms_test {
 namespace {
 
+using people::HelmPhase;
 using people::Helms;
-using people::HelmState;
 using people::Milliseconds;
 using people::Role;
 using people::Seat;
@@ -34,7 +34,7 @@ struct Bridge : testing::Test {
   [[nodiscard]] Seat ann() const { return *seats.find(1); }
   [[nodiscard]] Seat bob() const { return *seats.find(2); }
   [[nodiscard]] Seat sue() const { return *seats.find(3); }
-  [[nodiscard]] HelmState state() const { return helms.now(0).state; }
+  [[nodiscard]] HelmPhase state() const { return helms.now(0).state; }
   std::string look() {
     std::string what;
     for (const auto& change : helms.look(seats, now)) what += change.what + ";";
@@ -52,9 +52,9 @@ struct Bridge : testing::Test {
 };
 
 TEST_F(Bridge, AFreeHelmIsGotAtOnceAndNobodyElseDrives) {
-  EXPECT_EQ(state(), HelmState::free);
+  EXPECT_EQ(state(), HelmPhase::free);
   EXPECT_FALSE(helms.ask(ann(), 0, now));
-  EXPECT_EQ(state(), HelmState::held);
+  EXPECT_EQ(state(), HelmPhase::held);
   EXPECT_TRUE(helms.holds(ann(), 0));
   EXPECT_TRUE(drive(ann()));
   EXPECT_FALSE(drive(bob()));
@@ -72,7 +72,7 @@ TEST_F(Bridge, ALeaseOutlivesAPauseOfTheStickAndEndsAMinuteAfterTheLastInput) {
   EXPECT_EQ(look(), "");
   now += 1;
   EXPECT_EQ(look(), "lease over;");
-  EXPECT_EQ(state(), HelmState::free);
+  EXPECT_EQ(state(), HelmPhase::free);
   EXPECT_EQ(arbiter.holder(0), "");
   run->step();
   EXPECT_EQ(run->helm(0).mode, twin::HelmMode::hold) << "it was driven, and holds";
@@ -81,14 +81,14 @@ TEST_F(Bridge, ALeaseOutlivesAPauseOfTheStickAndEndsAMinuteAfterTheLastInput) {
 TEST_F(Bridge, ARequestIsGrantedDeniedOrLapses) {
   ASSERT_FALSE(helms.ask(ann(), 0, now));
   ASSERT_FALSE(helms.ask(bob(), 0, now));
-  EXPECT_EQ(state(), HelmState::requested);
+  EXPECT_EQ(state(), HelmPhase::requested);
   EXPECT_EQ(helms.now(0).asker, 2U);
   EXPECT_EQ(helms.now(0).until, now + Helms::request_ms);
   EXPECT_TRUE(drive(ann())) << "she has it until she grants it";
   EXPECT_TRUE(helms.ask(sue(), 0, now)) << "one asks at a time";
   EXPECT_TRUE(helms.grant(bob(), 0, seats, now)) << "who asks does not grant";
   ASSERT_FALSE(helms.deny(ann(), 0, now));
-  EXPECT_EQ(state(), HelmState::held);
+  EXPECT_EQ(state(), HelmPhase::held);
   ASSERT_FALSE(helms.ask(sue(), 0, now));
   now += Helms::request_ms;
   EXPECT_EQ(look(), "request lapsed;");
@@ -103,10 +103,10 @@ TEST_F(Bridge, ARequestIsGrantedDeniedOrLapses) {
 TEST_F(Bridge, LeaveToTakeItOverEndsAfterTenSeconds) {
   ASSERT_FALSE(helms.ask(ann(), 0, now));
   ASSERT_FALSE(helms.allow(ann(), 0, now));
-  EXPECT_EQ(state(), HelmState::allowed);
+  EXPECT_EQ(state(), HelmPhase::allowed);
   now += Helms::leave_ms;
   (void)look();
-  EXPECT_EQ(state(), HelmState::held);
+  EXPECT_EQ(state(), HelmPhase::held);
   ASSERT_FALSE(helms.ask(bob(), 0, now));
   EXPECT_TRUE(helms.holds(ann(), 0)) << "asks only";
   ASSERT_FALSE(helms.deny(ann(), 0, now));
@@ -123,7 +123,7 @@ TEST_F(Bridge, NobodyElseGivesItBack) {
   ASSERT_TRUE(refused);
   EXPECT_TRUE(contains(refused->text, "not yours"));
   ASSERT_FALSE(helms.give_back(ann(), 0));
-  EXPECT_EQ(state(), HelmState::free);
+  EXPECT_EQ(state(), HelmPhase::free);
 }
 
 // Leave is given at every door: an agent takes it as a person would.
@@ -133,7 +133,7 @@ TEST_F(Bridge, LeaveToTakeItOverIsForClientsOfOtherDoorsToo) {
   EXPECT_FALSE(arbiter.ask("dds 01", 0, arbiter.time_s()));
   EXPECT_EQ(look(), "helm ended;");
   EXPECT_EQ(helms.now(0).agent, "dds 01");
-  EXPECT_EQ(state(), HelmState::held);
+  EXPECT_EQ(state(), HelmPhase::held);
   EXPECT_FALSE(drive(ann()));
 }
 
@@ -155,7 +155,7 @@ TEST_F(Bridge, ALostLinkHoldsAfterASecondAndAReturnIsNoRival) {
   ASSERT_TRUE(drive(ann()));
   run->step();
   helms.lose(ann(), now, now + people::Seats::kept_ms);
-  EXPECT_EQ(state(), HelmState::lost);
+  EXPECT_EQ(state(), HelmPhase::lost);
   now += Helms::unheard_ms - 1;
   EXPECT_EQ(look(), "");
   now += 1;
@@ -165,7 +165,7 @@ TEST_F(Bridge, ALostLinkHoldsAfterASecondAndAReturnIsNoRival) {
   EXPECT_EQ(run->helm(0).cause, twin::HelmCause::client_lost);
   EXPECT_FALSE(drive(bob())) << "commands are no way round a seat that is kept";
   helms.back(ann(), now);
-  EXPECT_EQ(state(), HelmState::held);
+  EXPECT_EQ(state(), HelmPhase::held);
   EXPECT_TRUE(drive(ann()));
   run->step();
   EXPECT_EQ(run->helm(0).mode, twin::HelmMode::velocity);
@@ -188,9 +188,9 @@ TEST_F(Bridge, ASeatThatIsGoneLeavesItsHelmAndItsRequest) {
   ASSERT_FALSE(helms.ask(ann(), 0, now));
   ASSERT_FALSE(helms.ask(bob(), 0, now));
   helms.gone(bob());
-  EXPECT_EQ(state(), HelmState::held);
+  EXPECT_EQ(state(), HelmPhase::held);
   helms.gone(ann());
-  EXPECT_EQ(state(), HelmState::free);
+  EXPECT_EQ(state(), HelmPhase::free);
   EXPECT_EQ(arbiter.holder(0), "");
 }
 
@@ -198,10 +198,10 @@ TEST_F(Bridge, ASeatThatIsGoneLeavesItsHelmAndItsRequest) {
 TEST_F(Bridge, AnAgentsHelmIsShownAskedForAndGotAfterTheCountdown) {
   ASSERT_FALSE(arbiter.ask("dds 01", 0, arbiter.time_s()));
   (void)look();
-  EXPECT_EQ(state(), HelmState::held);
+  EXPECT_EQ(state(), HelmPhase::held);
   EXPECT_EQ(helms.now(0).agent, "dds 01");
   ASSERT_FALSE(helms.ask(ann(), 0, now));
-  EXPECT_EQ(state(), HelmState::requested);
+  EXPECT_EQ(state(), HelmPhase::requested);
   EXPECT_FALSE(drive(ann()));
   now += Helms::request_ms;
   EXPECT_EQ(look(), "helm got;");
@@ -228,7 +228,7 @@ TEST_F(Bridge, AVehicleThatIsGivenBackToItsMissionIsFree) {
   resume.sequence = 1;
   ASSERT_FALSE(arbiter.submit(client_of(ann()), resume, arbiter.time_s()));
   EXPECT_EQ(look(), "helm ended;");
-  EXPECT_EQ(state(), HelmState::free);
+  EXPECT_EQ(state(), HelmPhase::free);
 }
 
 // Whoever does whatever whenever: the arbiter's holder and the helm that is shown are one.
@@ -278,7 +278,7 @@ TEST_F(Bridge, AStormOfHandOversNeverShowsAnotherHolderThanTheArbiters) {
       ASSERT_EQ(holder, client_of(*seats.find(shown.seat))) << i;
     else
       ASSERT_EQ(holder, shown.agent) << i;
-    ASSERT_EQ(shown.state == HelmState::free, holder.empty() && shown.asker == 0) << i;
+    ASSERT_EQ(shown.state == HelmPhase::free, holder.empty() && shown.asker == 0) << i;
   }
 }
 

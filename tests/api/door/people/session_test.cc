@@ -101,6 +101,7 @@ TEST_F(Session, HandsAHelmOverByRequestAndGrant) {
   const json requested = ann.told("helm", helm(0, "requested"));
   ASSERT_FALSE(requested.is_null());
   EXPECT_EQ(requested["asker"], 2);
+  // Less what it took to arrive and to be read.
   EXPECT_NEAR(requested["until"].get<double>() - static_cast<double>(ann.clock()), 10'000, 1'000);
   expect_taken(ann.asks({{"do", "grant"}, {"vehicle", 0}}));
   expect_taken(stick(bob, 0, 0.2));

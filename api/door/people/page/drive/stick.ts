@@ -121,13 +121,7 @@ export class Stick {
           // Not its turn, also not after this.
           if (other !== hand && other.is_held) other.was_up = false;
         }
-        return {
-          lean: this.kept(hand.lean),
-          is_driving: true,
-          is_end: false,
-          block,
-          must_release: false,
-        };
+        return this.driving(hand);
       }
       this.driver = null;
       return { lean: { ...NO_LEAN }, is_driving: false, is_end: true, block, must_release: false };
@@ -137,16 +131,20 @@ export class Stick {
       const hand = this.hands[source];
       if (hand.is_held && hand.was_up) {
         this.driver = source;
-        return {
-          lean: this.kept(hand.lean),
-          is_driving: true,
-          is_end: false,
-          block,
-          must_release: false,
-        };
+        return this.driving(hand);
       }
     }
     return { lean: null, is_driving: false, is_end: false, block, must_release: this.any_held() };
+  }
+
+  private driving(hand: Hand): Tick {
+    return {
+      lean: this.kept(hand.lean),
+      is_driving: true,
+      is_end: false,
+      block: null,
+      must_release: false,
+    };
   }
 
   private any_held(): boolean {

@@ -27,6 +27,15 @@ export function button(
   return made;
 }
 
+/** A list or table that scrolls by itself, by keys too; the keys of the stick go on driving. */
+export function scroll_region(name: string, inside: Node): HTMLElement {
+  return element(
+    'div',
+    { class: 'scroll', tabindex: 0, 'data-drives': true, role: 'region', 'aria-label': name },
+    inside,
+  );
+}
+
 let labels = 0;
 /** A field with its label above it. */
 export function labelled<T extends HTMLElement>(text: string, field: T, hint = ''): HTMLElement {

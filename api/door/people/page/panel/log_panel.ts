@@ -1,5 +1,5 @@
 // The record of this run: each action, taken or refused, the last on top.
-import { element, labelled } from '../look/element';
+import { scroll_region, element, labelled } from '../look/element';
 import { zone_of } from '../look/settings';
 import { time_text } from '../look/units';
 import type { Action } from '../session/message';
@@ -13,17 +13,7 @@ export function log_panel(station: Station): Panel {
   const filter = element('select');
   const only_refused = element('input', { type: 'checkbox' });
   const list = element('ol', { class: 'log' });
-  const scroll = element(
-    'div',
-    {
-      class: 'scroll',
-      tabindex: 0,
-      'data-drives': true,
-      role: 'region',
-      'aria-label': 'Actions, list',
-    },
-    list,
-  );
+  const scroll = scroll_region('Actions, list', list);
   const box = element(
     'section',
     { class: 'record' },

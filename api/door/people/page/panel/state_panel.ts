@@ -135,8 +135,8 @@ export function state_panel(station: Station): Panel {
           .map(
             (it) =>
               `${it.with}: ${plain(it.level)}` +
-                (it.cpa_m === null ? '' : `, passes at ${metres_text(it.cpa_m)}`) +
-                (it.cpa_s === null ? '' : ` in ${Math.round(it.cpa_s)} s`),
+              (it.cpa_m === null ? '' : `, passes at ${metres_text(it.cpa_m)}`) +
+              (it.cpa_s === null ? '' : ` in ${Math.round(it.cpa_s)} s`),
           )
           .join('. '),
       );

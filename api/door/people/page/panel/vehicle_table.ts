@@ -1,5 +1,5 @@
 // All vehicles as a table: the words for what the plan draws, and the place to choose one.
-import { button, element, set_text } from '../look/element';
+import { scroll_region, button, element, set_text } from '../look/element';
 import { heading_text, level_text, percent_text, speed_text } from '../look/units';
 import { holder_name } from '../session/state';
 import type { Panel, Station } from '../station';
@@ -25,17 +25,7 @@ export function vehicle_table(station: Station, choose: (vehicle: number) => voi
     ),
     body,
   );
-  const scroll = element(
-    'div',
-    {
-      class: 'scroll',
-      tabindex: 0,
-      'data-drives': true,
-      role: 'region',
-      'aria-label': 'Vehicles, table',
-    },
-    table,
-  );
+  const scroll = scroll_region('Vehicles, table', table);
   const box = element('section', { class: 'vehicles' }, element('h2', {}, 'Vehicles'), scroll);
   const rows = new Map<number, Row>();
 
