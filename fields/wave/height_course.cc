@@ -16,7 +16,16 @@ HeightCourse::HeightCourse(double step_s, std::vector<double> factors)
           "a factor on a height is a number, 0 or more");
 }
 
-double HeightCourse::at(double t_s) const noexcept {
+HeightCourse HeightCourse::led(std::optional<double> to, double from_s, double over_s) const {
+  expects(!to || (*to >= 0 && std::isfinite(*to)), "a factor on a height is a number, 0 or more");
+  HeightCourse course = *this;
+  course.lead_.lead(to, from_s, over_s);
+  return course;
+}
+
+double HeightCourse::at(double t_s) const noexcept { return lead_.of(at_nodes(t_s), t_s); }
+
+double HeightCourse::at_nodes(double t_s) const noexcept {
   if (factors_.empty()) return 1;
   const double steps = t_s / step_s_;
   if (!(steps > 0)) return factors_.front();

@@ -1,5 +1,8 @@
 #pragma once
+#include <optional>
 #include <vector>
+
+#include "fields/base/lead.h"
 
 namespace slackwater {
 
@@ -18,13 +21,21 @@ class HeightCourse {
   /// @throws ContractViolation
   HeightCourse(double step_s, std::vector<double> factors);
 
+  /// The same, led to another factor over a while (lead.h); nothing: back to these nodes.
+  /// @param to  finite and not below 0
+  /// @throws ContractViolation
+  [[nodiscard]] HeightCourse led(std::optional<double> to, double from_s, double over_s) const;
+
   /// Of a time that is no number, that of the first node. No allocation.
   [[nodiscard]] double at(double t_s) const noexcept;
-  [[nodiscard]] bool is_constant() const noexcept { return factors_.empty(); }
+  [[nodiscard]] bool is_constant() const noexcept { return factors_.empty() && lead_.is_none(); }
 
  private:
   double step_s_ = 1;
   std::vector<double> factors_;
+  Lead<double> lead_;
+
+  [[nodiscard]] double at_nodes(double t_s) const noexcept;
 };
 
 }  // namespace slackwater

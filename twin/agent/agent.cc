@@ -58,7 +58,7 @@ bool feel_wind(const Agent& agent, double t_s, AgentState& state, Surroundings<d
   if (agent.gusts) {
     const Gust gust = agent.gusts->step(state.gust, state.gust_rng);
     const Vector3<Enu> enu = gust_in_enu(gust, horizontal_of(wind.velocity_m_s));
-    const double ratio = agent.water->gust_ratio(at_m);
+    const double ratio = agent.water->gust_ratio(at_m, t_s);
     around.wind_m_s = around.wind_m_s + ratio * ned_of(enu);
   }
   return true;
@@ -87,7 +87,7 @@ bool feel_water(const Agent& agent, double t_s, AgentState& state, const Rotatio
   }
   around.water = water.motion;
   current_m_s = water.current_m_s;
-  const SeaRealisation* sea = agent.water->environment().sea.get();
+  const SeaRealisation* sea = agent.water->waves();
   if (sea != nullptr && hull.strips > 0) around.at_strips = waves_at_strips(*sea, t_s, hull, body);
   return true;
 }
@@ -227,7 +227,8 @@ void work_on_surface(const Agent& agent, double t_s, const Rotation<double>& r, 
   if (agent.inspection)
     inspect(*agent.inspection, is_at_work || (state.helm.is_helmed() && has_power),
             {body.position_m, r, r.to_ned(body.nu.linear), body.nu.angular},
-            known_of(agent, state).position_m, t_s, agent.plan.dt_s, state.inspection);
+            known_of(agent, state).position_m, t_s, agent.plan.dt_s, state.inspection,
+            {agent.water->water_visibility_m(), agent.water->visibility_m(), state.helm.camera});
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ std::optional<SearchWater> water_at(const EnvironmentSampler& environment,
   const SeaSample sea = environment.sea({at_m.x, at_m.y, 0}, t_s);
   if (!has_value(water.status) || !has_value(wind.status) || !has_value(sea.status))
     return std::nullopt;
-  return SearchWater{water.current_m_s, wind.velocity_m_s, sea.sea.significant_height_m};
+  return SearchWater{water.current_m_s, wind.velocity_m_s, sea.sea.significant_height_m,
+                     environment.visibility_m()};
 }
 
 Triple<double> noise_m(const MammalDuty& duty, const Agent& agent, const ReadyConduct& conduct,

@@ -74,7 +74,9 @@ double value_of(const Limit& limit, const Agent& agent, double t_s, const AgentS
       return has_value(level.status) ? level.level_m : assumed(*agent.conduct, limit.variable);
     }
     case LimitVariable::visibility:
+      return agent.water->visibility_m().value_or(assumed(*agent.conduct, limit.variable));
     case LimitVariable::water_visibility:
+      return agent.water->water_visibility_m().value_or(assumed(*agent.conduct, limit.variable));
     case LimitVariable::rain_rate:
     case LimitVariable::air_temperature:
       return assumed(*agent.conduct, limit.variable);

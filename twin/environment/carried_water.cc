@@ -36,7 +36,7 @@ SampleStatus look_at_waves(const EnvironmentSampler& water, const MovingPlaces& 
                            const Chosen& chosen, double t_s, WaterLook& look) {
   for (std::size_t i = 0; i < places.count; ++i)
     if (chosen[i]) look.at_s[i] = t_s;
-  const SeaRealisation* const sea = water.environment().sea.get();
+  const SeaRealisation* const sea = water.waves();
   if (sea == nullptr) return SampleStatus::ok;
   std::array<MomentPlace, carried_places> asked;
   std::array<MomentSample, carried_places> found;

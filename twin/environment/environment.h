@@ -10,6 +10,7 @@
 #include "fields/wave/sea_realisation.h"
 #include "fields/wind/farm_flow.h"
 #include "twin/body/body.h"
+#include "twin/environment/weather_in_hand.h"
 #include "twin/risk/wave_futures.h"
 #include "twin/scene/structure.h"
 
@@ -23,8 +24,14 @@ struct StandingPile {
   double bottom_m = std::numeric_limits<double>::infinity();  ///< z, down
 };
 
+/// The turbines of a site.
+struct StandingTurbines {
+  std::shared_ptr<const Turbine> kind;  ///< of all of them
+  std::vector<Horizontal> at_m;         ///< east, north of the origin
+};
+
 /// What the vehicles of a run live in: one member of a forecast, a sea of sinusoids, turbines and
-/// foundations. Immutable, shared by any threads.
+/// foundations. Shared by any threads; immutable, but for the weather in somebody's hand.
 struct Environment {
   std::shared_ptr<const Field> field;
   std::size_t member = 0;
@@ -35,9 +42,11 @@ struct Environment {
   std::optional<SeaState> stated_sea;
   /// What the heights of the member's waves are instead of the forecast's; null: as forecast.
   std::shared_ptr<const WaveFutures> waves;
-  std::shared_ptr<const FarmFlow> farm;  ///< null: no wakes
+  std::shared_ptr<const FarmFlow> farm;      ///< null: no wakes
+  std::optional<StandingTurbines> turbines;  ///< absent: the site has none
   std::vector<StandingPile> piles;
-  std::vector<Structure> structures;  ///< that a vehicle can strike
+  std::vector<Structure> structures;       ///< that a vehicle can strike
+  std::shared_ptr<WeatherInHand> weather;  ///< null: nobody may lead it
 };
 
 /// Degrees per metre at a site: the plane that a run's positions lie in.
@@ -82,9 +91,17 @@ class EnvironmentSampler {
     SampleStatus status = SampleStatus::missing;
   };
   [[nodiscard]] Wind wind(const Triple<double>& position_m, double t_s) const noexcept;
+  /// The same as if no rotor turned there.
+  [[nodiscard]] Wind free_wind(const Triple<double>& position_m, double t_s) const noexcept;
   /// What wakes make of the standard deviation of the gusts there: 1 outside of them, more where
-  /// rotors stir the air.
-  [[nodiscard]] double gust_ratio(const Triple<double>& position_m) const noexcept;
+  /// rotors stir the air. A wind that is led has as much more of them as it is stronger.
+  [[nodiscard]] double gust_ratio(const Triple<double>& position_m, double t_s) const noexcept;
+  /// The flow of the farm for the wind now, the sinusoids of the sea now; null: none.
+  [[nodiscard]] const FarmFlow* farm() const noexcept;
+  [[nodiscard]] const SeaRealisation* waves() const noexcept;
+  /// How far one sees in air and under water, where somebody says so; the run itself does not.
+  [[nodiscard]] std::optional<double> visibility_m() const noexcept;
+  [[nodiscard]] std::optional<double> water_visibility_m() const noexcept;
   /// The state of the sea there and then: that of the forecast with the member's error of its
   /// height, if it has one, or the state that was stated.
   [[nodiscard]] SeaSample sea(const Triple<double>& position_m, double t_s) const noexcept;
@@ -100,6 +117,10 @@ class EnvironmentSampler {
  private:
   [[nodiscard]] Place place(const Triple<double>& position_m, double vertical_m,
                             double t_s) const noexcept;
+  /// Null: nothing of the weather is led.
+  [[nodiscard]] const WeatherNow* led() const noexcept;
+  /// The current of the forecast, led.
+  [[nodiscard]] Horizontal led_current(Horizontal forecast_m_s, double t_s) const noexcept;
   const Environment* environment_;
   DegreesPerMetre per_m_;
 };

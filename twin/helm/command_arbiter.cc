@@ -70,7 +70,9 @@ std::optional<Refusal> CommandArbiter::submit(std::string_view client, Command c
                            now_s, limits_);
   }
   if (refusal) return count(client, agent.name, std::move(*refusal), now_s);
-  authority_.note_command(client, vehicle, keeping_of(command.what), now_s);
+  // Who turns a camera tells the vehicle nothing.
+  if (!std::holds_alternative<PointCamera>(command.what))
+    authority_.note_command(client, vehicle, keeping_of(command.what), now_s);
   if (std::holds_alternative<Resume>(command.what)) authority_.end(vehicle);
   last_sequence_.insert_or_assign({std::string(client), vehicle}, command.sequence);
   taken_[vehicle].note(openings_);
@@ -129,6 +131,24 @@ std::optional<Refusal> CommandArbiter::spawn(std::string_view client, const Newc
       refusal = Refusal{RefusalReason::unauthorised, std::move(*against)};
   if (refusal) return count(client, newcomer.name, std::move(*refusal), now_s);
   coming_.push_back(newcomer.name);
+  run_.enqueue(std::move(command));
+  return std::nullopt;
+}
+
+std::optional<Refusal> CommandArbiter::set_weather(std::string_view client,
+                                                   const WeatherAsked& asked, double now_s) {
+  Command command;
+  command.source = printable(client);
+  command.received_s = now_s;
+  command.what = SetWeather{asked};
+  const std::lock_guard lock(mutex_);
+  std::optional<Refusal> refusal;
+  if (auto against = run_authority_.claim(client, other_at_helm(client), now_s))
+    refusal = Refusal{RefusalReason::unauthorised, std::move(*against)};
+  else if (std::string problem = problem_of(asked, agents_.front()->water->environment());
+           !problem.empty())
+    refusal = Refusal{RefusalReason::out_of_range, std::move(problem)};
+  if (refusal) return count(client, std::string(RunAuthority::name), std::move(*refusal), now_s);
   run_.enqueue(std::move(command));
   return std::nullopt;
 }

@@ -55,6 +55,11 @@ class CommandArbiter {
   [[nodiscard]] std::optional<Refusal> spawn(std::string_view client, const Newcomer& newcomer,
                                              const NewcomerYard& newcomer_yard, double now_s);
 
+  /// Leads the weather of the run, for a client that may (`claim_run`), from the next step on.
+  /// @return nothing: it comes
+  [[nodiscard]] std::optional<Refusal> set_weather(std::string_view client,
+                                                   const WeatherAsked& asked, double now_s);
+
   // Authority; see `Authority`. Each answers with nothing where it was done.
   [[nodiscard]] std::optional<Refusal> ask(std::string_view client, std::size_t vehicle,
                                            double now_s);

@@ -294,6 +294,9 @@ std::optional<Refusal> refusal_of(const Command& command, const Agent& agent,
     return look_at_velocity(*set, agent);
   if (const auto* reroute = std::get_if<Reroute>(&command.what))
     return look_at_waypoints(*reroute, agent, now_s, limits);
+  if (std::holds_alternative<PointCamera>(command.what))
+    if (const std::string_view problem = unsoundness_of(command, agent); !problem.empty())
+      return no(RefusalReason::out_of_range, formatted("{}; turn the vehicle", problem));
   return std::nullopt;
 }
 

@@ -4,6 +4,8 @@
 #include <variant>
 
 #include "twin/inspection/inspection.h"
+#include "twin/inspection/instrument/clarity.h"
+#include "twin/inspection/instrument/pointing.h"
 
 namespace slackwater::twin {
 namespace {
@@ -107,15 +109,33 @@ bool is_steady(const Instrument& instrument, const InspectionState::Line& line,
          (line.has_looked && length_of(carriage.position_m - line.place_m) <= made_up_for_m);
 }
 
+/// In which a look is taken.
+Clarity clarity_about(const Inspection& inspection, const Sight& sight, const Pose& now) {
+  const bool is_wet = now.position_m.z > 0;
+  const Clarity& own = is_wet ? inspection.plan.water : inspection.plan.air;
+  const auto& visibility_m = is_wet ? sight.water_visibility_m : sight.air_visibility_m;
+  if (!visibility_m) return own;
+  return seen_through(own, *visibility_m, is_wet ? Medium::water : Medium::air);
+}
+
+/// The instrument as it is set now: its own, or a zoomed copy.
+const Instrument& as_set(const Instrument& instrument, const CameraPointing& camera) {
+  if (camera.zoom == 1 || !is_pointed(instrument)) return instrument;
+  thread_local Instrument zoomed;
+  zoomed = instrument;
+  zoom_in(camera.zoom, zoomed);
+  return zoomed;
+}
+
 struct Meanwhile {
   double from_s = 0;
   double to_s = 0;
 };
 
 /// One look of a line at each of its surfaces.
-void take(const Inspection& inspection, std::size_t l, const Pose& before, const Pose& now,
-          const Meanwhile& meanwhile, const Triple<double>& off_m, InspectionState& state) {
-  const Clarity& clarity = now.position_m.z > 0 ? inspection.plan.water : inspection.plan.air;
+void take(const Inspection& inspection, std::size_t l, const Instrument& instrument,
+          const Clarity& clarity, const Pose& before, const Pose& now, const Meanwhile& meanwhile,
+          const Triple<double>& off_m, InspectionState& state) {
   InspectionState::Line& line = state.lines[l];
   Scratch& mine = scratch();
   for (std::size_t i = 0; i < inspection.pairs.size(); ++i) {
@@ -123,8 +143,8 @@ void take(const Inspection& inspection, std::size_t l, const Pose& before, const
     const std::size_t s = inspection.pairs[i].surface;
     const ViewedSurface viewed{inspection.surfaces[s], inspection.indices[s], *inspection.caster,
                                static_cast<std::uint32_t>(s)};
-    view(inspection.instruments[l], before, now, viewed, clarity,
-         {inspection.rays_per_look, line.looks}, mine.view, mine.seen);
+    view(instrument, before, now, viewed, clarity, {inspection.rays_per_look, line.looks},
+         mine.view, mine.seen);
     state.rays += mine.view.rays;
     for (const SeenPatch& seen : mine.seen)
       keep(inspection.plan.lines[l],
@@ -146,7 +166,8 @@ InspectionState begin_inspection(const Inspection& inspection, std::uint64_t see
 }
 
 void inspect(const Inspection& inspection, bool is_at_work, const Carriage& carriage,
-             const Triple<double>& known_m, double t_s, double dt_s, InspectionState& state) {
+             const Triple<double>& known_m, double t_s, double dt_s, InspectionState& state,
+             const Sight& sight) {
   if (!is_at_work) {
     // What it passed meanwhile was not looked at: no fan sweeps over it.
     for (InspectionState::Line& line : state.lines) line.has_looked = false;
@@ -154,14 +175,17 @@ void inspect(const Inspection& inspection, bool is_at_work, const Carriage& carr
   }
   state.worked_s += dt_s;
   for (std::size_t l = 0; l < state.lines.size(); ++l) {
-    const Instrument& instrument = inspection.instruments[l];
+    const Instrument& instrument = as_set(inspection.instruments[l], sight.camera);
     InspectionState::Line& line = state.lines[l];
     if (!is_due(instrument, line, carriage, t_s)) continue;
     const NearestPlace nearest = nearest_place(inspection, l, carriage.position_m);
-    const Pose now = pose_of(instrument, carriage, aimed_at(inspection, instrument, nearest));
+    Pose now = pose_of(instrument, carriage, aimed_at(inspection, instrument, nearest));
+    if (is_pointed(instrument) && sight.camera != CameraPointing())
+      now = pointed(now, carriage, sight.camera);
     if (is_steady(instrument, line, carriage))
-      take(inspection, l, line.has_looked ? line.pose : now, now,
-           {line.has_looked ? line.looked_s : t_s, t_s}, known_m - carriage.position_m, state);
+      take(inspection, l, instrument, clarity_about(inspection, sight, now),
+           line.has_looked ? line.pose : now, now, {line.has_looked ? line.looked_s : t_s, t_s},
+           known_m - carriage.position_m, state);
     line.pose = now;
     line.place_m = carriage.position_m;
     line.ahead = carriage.attitude.to_ned({1, 0, 0});

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "twin/inspection/inspection_state.h"
 #include "twin/inspection/instrument/pose.h"
 #include "twin/inspection/instrument/view.h"
+#include "twin/state/camera_pointing.h"
 
 namespace slackwater::twin {
 
@@ -48,12 +50,21 @@ struct Inspection {
 
 [[nodiscard]] InspectionState begin_inspection(const Inspection& inspection, std::uint64_t seed);
 
+/// How far one sees, and where cameras look.
+struct Sight {
+  std::optional<double> water_visibility_m;  ///< of a black disc; absent: as the plan has it
+  std::optional<double> air_visibility_m;    ///< optical range; absent: as the plan has it
+  CameraPointing camera;
+};
+
 /// One look of each instrument that has moved far enough since its last. No allocation but for the
 /// scratch of a thread's first looks.
 /// @param is_at_work  the vehicle does its work and has power
 /// @param known_m     where it takes itself to be, NED
 /// @param dt_s        since the call before
+/// @param sight       what somebody makes of what there is to see
 void inspect(const Inspection& inspection, bool is_at_work, const Carriage& carriage,
-             const Triple<double>& known_m, double t_s, double dt_s, InspectionState& state);
+             const Triple<double>& known_m, double t_s, double dt_s, InspectionState& state,
+             const Sight& sight = {});
 
 }  // namespace slackwater::twin

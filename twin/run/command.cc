@@ -11,7 +11,8 @@ namespace slackwater::twin {
 namespace {
 
 constexpr std::array<std::string_view, std::variant_size_v<CommandWhat>> names{
-    "waypoints", "put", "velocity", "thrusters", "hold", "home", "resume", "host", "spawn"};
+    "waypoints", "put",  "velocity", "thrusters", "hold",   "home",
+    "resume",    "host", "spawn",    "camera",    "weather"};
 
 /// What is done, with whom and when.
 struct Doer {
@@ -43,7 +44,10 @@ struct Doer {
     helm.since_s = helm.renewed_s = t_s;
   }
   void operator()(const GoHome&) const { take({HelmMode::home, HelmCause::asked}); }
-  void operator()(const Resume&) const { give_back(HelmCause::asked, t_s, agent, state); }
+  void operator()(const Resume&) const {
+    state.helm.camera = {};
+    give_back(HelmCause::asked, t_s, agent, state);
+  }
   void operator()(const PutVehicle& put) const {
     state.vehicle = put.vehicle;
     state.coarse = {};  // of the water where it was
@@ -53,7 +57,10 @@ struct Doer {
     state.coarse = {};
   }
 
-  void operator()(const Spawn&) const {}  // nothing that is done to one that is there
+  void operator()(const PointCamera& camera) const { state.helm.camera = camera.pointing; }
+  // Nothing that is done to one vehicle that is there.
+  void operator()(const Spawn&) const {}
+  void operator()(const SetWeather&) const {}
 
   void take(const HelmDue& due) const { take_helm(due, t_s, agent, state); }
 };
@@ -83,6 +90,11 @@ std::string_view unsoundness_of(const Command& command, const Agent& agent) noex
     if (by_hand->share.size() != agent.vehicle->mounts) return "thrusters have a share each";
     for (const double share : by_hand->share)
       if (!(std::abs(share) <= 1)) return "thrusters are within -1 and 1";
+  } else if (const auto* camera = std::get_if<PointCamera>(&command.what)) {
+    const auto& [pan_rad, tilt_rad, zoom] = camera->pointing;
+    if (!(std::abs(pan_rad) <= most_pan_rad)) return "a camera pans within -180 and 180 degrees";
+    if (!(std::abs(tilt_rad) <= most_tilt_rad)) return "a camera tilts within -90 and 90 degrees";
+    if (!(zoom >= 1 && zoom <= most_zoom)) return "a camera zooms from 1 to 10";
   }
   return {};
 }

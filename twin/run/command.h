@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "fields/base/boxed.h"
+#include "twin/environment/weather_in_hand.h"
 #include "twin/run/newcomer.h"
 
 namespace slackwater::twin {
 
-// What may be done to a vehicle from outside. But for `PutVehicle`, `HostPhysics`, `Resume` and
-// `Spawn` each puts it under the helm (`HelmState`): its own mission and behaviour tree stand still
-// until `Resume`. The latest one is in force.
+// What may be done to a vehicle from outside. But for `PutVehicle`, `HostPhysics`, `Resume`,
+// `PointCamera` and `Spawn` each puts it under the helm (`HelmState`): its own mission and
+// behaviour tree stand still until `Resume`. The latest one is in force. `SetWeather` is done to
+// the run.
 
 /// Waypoints, from where the vehicle takes itself to be; at the last of them it holds, and the list
 /// is done (`HelmCause::list_done`). None: it stays where it is.
@@ -76,8 +78,19 @@ struct Spawn {
   std::shared_ptr<const ReadyNewcomer> ready;
 };
 
+/// Where its camera looks and how much it shows; whoever has the helm has the camera, whatever the
+/// vehicle does meanwhile.
+struct PointCamera {
+  CameraPointing pointing;
+};
+
+/// The weather of all vehicles of the run; `Command::agent` is 0.
+struct SetWeather {
+  WeatherAsked asked;
+};
+
 using CommandWhat = std::variant<Reroute, PutVehicle, SetVelocity, SetThrusters, HoldHere, GoHome,
-                                 Resume, HostPhysics, Spawn>;
+                                 Resume, HostPhysics, Spawn, PointCamera, SetWeather>;
 
 /// What is done to a vehicle from outside while a run goes on. A value: the list of those that a
 /// run took makes the run again.
@@ -99,8 +112,9 @@ struct Command {
 [[nodiscard]] bool leads_elsewhere(const CommandWhat& what) noexcept;
 
 /// What of its numbers no vehicle can follow: waypoints, velocities or thrusters that are not
-/// finite, thrusters beyond 1 or of another number than the vehicle's. Empty: nothing, as for a
-/// vehicle that joins, which was looked at when it was made ready.
+/// finite, thrusters beyond 1 or of another number than the vehicle's, a camera beyond its joints.
+/// Empty: nothing, as for a vehicle that joins, which was looked at when it was made ready, and for
+/// the weather, which is looked at with its environment.
 [[nodiscard]] std::string_view unsoundness_of(const Command& command, const Agent& agent) noexcept;
 
 /// A vehicle that has halted, or stands on a deck, stays as it is; one whose energy is needed for

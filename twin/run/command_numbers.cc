@@ -40,6 +40,10 @@ struct Reader {
     expect(value == 0 || value == 1);
     return value == 1;
   }
+  template <typename T>
+  std::optional<T> take_if() {
+    return flag() ? std::optional(take<T>()) : std::nullopt;
+  }
   std::string text() {
     const auto size = take<double>();
     expect(size >= 0 && size <= static_cast<double>(left.size()) && size == std::floor(size));
@@ -79,6 +83,21 @@ struct Writer {
     append(spawn.newcomer.position_m, numbers);
     numbers.push_back(spawn.newcomer.heading_rad);
   }
+  void operator()(const PointCamera& camera) { append(camera.pointing, numbers); }
+  void operator()(const SetWeather& weather) {
+    const WeatherAsked& asked = weather.asked;
+    append_if(asked.wind_10m_m_s);
+    append_if(asked.significant_wave_height_m);
+    append_if(asked.current_m_s);
+    append_if(asked.visibility_m);
+    append_if(asked.water_visibility_m);
+    numbers.push_back(asked.over_s);
+  }
+  template <typename T>
+  void append_if(const std::optional<T>& value) {
+    numbers.push_back(value ? 1 : 0);
+    if (value) append(*value, numbers);
+  }
   void append_text(const std::string& text) {
     numbers.push_back(static_cast<double>(text.size()));
     for (const char c : text) numbers.push_back(static_cast<unsigned char>(c));
@@ -112,6 +131,18 @@ CommandWhat read(Reader& reader) {
     newcomer.position_m = reader.take<Triple<double>>();
     newcomer.heading_rad = reader.take<double>();
     return Spawn{std::move(newcomer), nullptr};
+  }
+  if (kind == name_of(CommandWhat{PointCamera{}}))
+    return PointCamera{reader.take<CameraPointing>()};
+  if (kind == name_of(CommandWhat{SetWeather{}})) {
+    WeatherAsked asked;
+    asked.wind_10m_m_s = reader.take_if<Horizontal>();
+    asked.significant_wave_height_m = reader.take_if<double>();
+    asked.current_m_s = reader.take_if<Horizontal>();
+    asked.visibility_m = reader.take_if<double>();
+    asked.water_visibility_m = reader.take_if<double>();
+    asked.over_s = reader.take<double>();
+    return SetWeather{asked};
   }
   throw Error(ErrorKind::invalid_input, "found a command of the kind " + std::string(kind) +
                                             ", which this version does not know");

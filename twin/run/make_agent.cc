@@ -93,8 +93,8 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
                   "detail: coarse is for what swims under water; a " + vehicle->name +
                       " meets wind or waves at each step: leave `detail` out");
     }
-    agent.coarse = plan_coarse(agent.plan.dt_s, water->environment().sea.get(),
-                               entry.tether ? entry.tether->length_m : 0);
+    agent.coarse =
+        plan_coarse(agent.plan.dt_s, water->waves(), entry.tether ? entry.tether->length_m : 0);
   }
   agent.vehicle = std::move(vehicle);
   agent.water = std::move(water);

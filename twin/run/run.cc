@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "fields/base/check.h"
 #include "twin/agent/coarse_step.h"
@@ -290,6 +291,8 @@ void Run::take_command(Command& command, const StepTime& time) {
     join(*spawn->ready);
     look_round(time.start_s);
   }
+  if (const auto* weather = std::get_if<SetWeather>(&command.what))
+    set_weather(weather->asked, time.start_s);
   const std::size_t index = command.agent;
   expects(index < agents_.size(), "a command is for a vehicle of the run");
   expects(index < began_with_ || unsoundness_of(command, agents_[index]).empty(),
@@ -307,6 +310,17 @@ void Run::take_command(Command& command, const StepTime& time) {
   }
   command.step = time.step;
   taken_.push_back(std::move(command));
+}
+
+/// Of each environment once: vehicles share theirs.
+void Run::set_weather(const WeatherAsked& asked, double t_s) {
+  std::set<WeatherInHand*> done;
+  for (const Agent& agent : agents_) {
+    const Environment& environment = agent.water->environment();
+    expects(environment.weather != nullptr, "the weather of a run may be led");
+    if (done.insert(environment.weather.get()).second)
+      environment.weather->set(asked, environment, t_s);
+  }
 }
 
 void Run::mind_helms(const StepTime& time) {
@@ -426,6 +440,14 @@ void Run::bring_back_newcomers(std::span<const Command> taken) {
     }
 }
 
+void Run::bring_back_weather(std::span<const Command> taken) {
+  for (const Agent& agent : agents_)
+    if (const auto& weather = agent.water->environment().weather) weather->forget();
+  for (const Command& command : taken)
+    if (const auto* weather = std::get_if<SetWeather>(&command.what))
+      set_weather(weather->asked, static_cast<double>(command.step) * step_s());
+}
+
 void Run::restore(const Checkpoint& checkpoint) {
   const auto newcomers = [](std::span<const Command> commands) {
     return static_cast<std::size_t>(std::count_if(
@@ -443,6 +465,7 @@ void Run::restore(const Checkpoint& checkpoint) {
     look_round(time_s());
   }
   expected_ = expected;
+  bring_back_weather(checkpoint.taken);
   states_ = checkpoint.states;
   taken_ = checkpoint.taken;
   commands_.restore(checkpoint.waiting);

@@ -144,6 +144,8 @@ class Run {
   void join(const ReadyNewcomer& newcomer);
   void look_round(double t_s);
   void bring_back_newcomers(std::span<const Command> taken);
+  void set_weather(const WeatherAsked& asked, double t_s);
+  void bring_back_weather(std::span<const Command> taken);
   void mind_helms(const StepTime& time);
   void step_hosted(std::size_t agent, const StepTime& time);
   void note_hosted(const StepTime& time);

@@ -83,7 +83,7 @@ void look_at_water(const Agent& agent, const BodyState<double>& body, const Rota
   if (!has_value(water.status)) return;
   around.water_m_s = water.motion.velocity_m_s;
   around.through_m_s = body.nu.linear.x - r.to_body(water.current_m_s).x;
-  const SeaRealisation* sea = agent.water->environment().sea.get();
+  const SeaRealisation* sea = agent.water->waves();
   if (sea == nullptr || !floats) return;
   const WaterAtStrips<double> strips = waves_at_strips(*sea, time_s, hull, body);
   around.water_m_s = around.water_m_s + moments_of(hull, strips.velocity_m_s).mean;
@@ -91,7 +91,7 @@ void look_at_water(const Agent& agent, const BodyState<double>& body, const Rota
 
 void look_at_surface(const Agent& agent, const BodyState<double>& body, double time_s,
                      Around& around) {
-  const SeaRealisation* sea = agent.water->environment().sea.get();
+  const SeaRealisation* sea = agent.water->waves();
   if (sea == nullptr) return;
   const Vector3<Enu> at = enu_of(body.position_m);
   const WavePlace place{at.x(), at.y(), 0, time_s};

@@ -240,6 +240,9 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   }
   environment.sea = sea_of_run(scenario, environment, ready.warnings);
   environment.farm = wakes_of(scenario, surround, ready.origin, ready.start);
+  if (surround.turbine && !surround.turbines_m.empty())
+    environment.turbines = StandingTurbines{surround.turbine, surround.turbines_m};
+  environment.weather = std::make_shared<WeatherInHand>();
   for (const ScenarioStructure& s : scenario.structures) {
     environment.structures.push_back(shape_of(s));
     if (s.turns_current) environment.piles.push_back(pile_of(s));

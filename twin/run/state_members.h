@@ -70,6 +70,8 @@ inline constexpr bool is_numbers<DatumState> = true;
 template <>
 inline constexpr bool is_numbers<HelmVelocity> = true;
 template <>
+inline constexpr bool is_numbers<CameraPointing> = true;
+template <>
 inline constexpr bool is_numbers<HandThrusters> = true;
 
 template <typename S, typename T>
@@ -133,7 +135,7 @@ void for_each_member(S& s, Visit&& visit) {
 template <MaybeConst<HelmState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [mode, cause, since_s, renewed_s, velocity, thruster, way, is_loop, rounds, heading,
-         depth_m, start_m] = s;
+         depth_m, start_m, camera] = s;
   visit("mode", mode);
   visit("cause", cause);
   visit("since_s", since_s);
@@ -146,6 +148,7 @@ void for_each_member(S& s, Visit&& visit) {
   visit("heading", heading);
   visit("depth_m", depth_m);
   visit("start_m", start_m);
+  visit("camera", camera);
 }
 
 template <MaybeConst<MissionState> S, typename Visit>

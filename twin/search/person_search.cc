@@ -39,7 +39,8 @@ bool search_on(const PersonSearch& search, const SearchWater& water,
   state.is_looking = is_looking;
   if (!is_looking || state.is_found) return false;
   const SightConditions sight{std::hypot(water.wind_10m_m_s.x, water.wind_10m_m_s.y),
-                              water.wave_height_m, search.visibility_m};
+                              water.wave_height_m,
+                              water.visibility_m.value_or(search.visibility_m)};
   const double width_m = sweep_width_m(search.eyes, sight);
   if (!detected(look_exposure(search.eyes.law, width_m, from_m, off_m, dt_s), state.eyes_rng))
     return false;

@@ -45,9 +45,10 @@ struct SearchState {
 
 /// What the person drifts in and the look-out looks through.
 struct SearchWater {
-  Triple<double> current_m_s;   ///< NED, where the person is
-  Triple<double> wind_10m_m_s;  ///< NED, there too
-  double wave_height_m = 0;     ///< significant
+  Triple<double> current_m_s;            ///< NED, where the person is
+  Triple<double> wind_10m_m_s;           ///< NED, there too
+  double wave_height_m = 0;              ///< significant
+  std::optional<double> visibility_m{};  ///< in air; absent: as the search has it
 };
 
 /// @param seed, vehicle  name the streams: the person's by the seed alone

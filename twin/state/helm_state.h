@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "twin/body/actuators.h"
+#include "twin/state/camera_pointing.h"
 #include "twin/state/helm_rule.h"
 #include "twin/state/mission.h"
 
@@ -36,6 +37,7 @@ struct HelmState {
   Course heading;            ///< kept while a velocity is in force; it turns with the yaw rate
   double depth_m = 0;        ///< likewise; it sinks with the heave
   Triple<double> start_m;    ///< where the vehicle began: home of one without a conduct
+  CameraPointing camera;     ///< until its own mission is resumed
 
   [[nodiscard]] bool is_helmed() const noexcept { return mode != HelmMode::own; }
 };

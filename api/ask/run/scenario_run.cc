@@ -51,13 +51,39 @@ struct WatchedRun {
   std::unique_ptr<twin::CommandArbiter> arbiter{};  ///< where somebody takes part
 };
 
+void expect_record(bool condition, std::string_view otherwise) {
+  if (!condition)
+    throw Error(ErrorKind::invalid_input,
+                "a command of the record cannot be: " + std::string(otherwise));
+}
+
 /// Vehicles that joined by these commands, ready once more: nothing is read while the run goes on.
-void make_ready(const twin::NewcomerYard& newcomer_yard, std::vector<twin::Command>& commands) {
-  for (twin::Command& command : commands)
-    if (auto* spawn = std::get_if<twin::Spawn>(&command.what))
-      with_context("vehicle " + spawn->newcomer.name, [&] {
-        spawn->ready = newcomer_yard.ready(spawn->newcomer, command.received_s);
-      });
+/// Each in the weather that was in force when it was asked for.
+/// @param waiting  not taken yet, and their weather not in force
+void make_ready(const twin::Run& run, const twin::NewcomerYard& newcomer_yard,
+                std::vector<twin::Command>& taken, std::vector<twin::Command>& waiting) {
+  const twin::Environment& environment = run.agents().front().water->environment();
+  twin::WeatherInHand& weather = *environment.weather;
+  const auto ready = [&](twin::Command& command) {
+    auto* spawn = std::get_if<twin::Spawn>(&command.what);
+    if (spawn == nullptr) return;
+    with_context("vehicle " + spawn->newcomer.name,
+                 [&] { spawn->ready = newcomer_yard.ready(spawn->newcomer, command.received_s); });
+  };
+  weather.forget();
+  std::uint64_t last_step = 0;
+  for (twin::Command& command : taken) {
+    if (const auto* set = std::get_if<twin::SetWeather>(&command.what)) {
+      const std::string problem = twin::problem_of(set->asked, environment);
+      expect_record(problem.empty(), problem);
+      expect_record(command.step >= last_step, "it comes before the weather that it follows");
+      last_step = command.step;
+      weather.set(set->asked, environment, static_cast<double>(command.step) * run.step_s());
+    }
+    ready(command);
+  }
+  for (twin::Command& command : waiting) ready(command);
+  weather.forget();
 }
 
 std::size_t newcomers_in(std::span<const twin::Command> commands) {
@@ -108,8 +134,7 @@ void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin,
       throw Error(ErrorKind::invalid_input,
                   "the files of vehicles that joined its run are others now; take it up with the "
                   "version that wrote it");
-    make_ready(watched.newcomer_yard, checkpoint.taken);
-    make_ready(watched.newcomer_yard, checkpoint.waiting);
+    make_ready(run, watched.newcomer_yard, checkpoint.taken, checkpoint.waiting);
   });
   run.restore(checkpoint);
   watched.watch.restore(std::move(standing.watch));
@@ -126,19 +151,13 @@ void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin,
   result.refusals = std::move(standing.refusals);
 }
 
-void expect_record(bool condition, std::string_view otherwise) {
-  if (!condition)
-    throw Error(ErrorKind::invalid_input,
-                "a command of the record cannot be: " + std::string(otherwise));
-}
-
 /// What is done from outside: the record of a run, or who takes part in this one.
 void let_in(const RunChoice& choice, const ScenarioWater& water, const twin::ReadyRun& ready,
             twin::RunControl& control, WatchedRun& watched) {
   twin::Run& run = watched.run;
   if (!choice.record.refusals.empty()) watched.so_far.refusals = choice.record.refusals;
-  std::vector<twin::Command> commands = choice.record.commands;
-  make_ready(watched.newcomer_yard, commands);
+  std::vector<twin::Command> commands = choice.record.commands, none;
+  make_ready(run, watched.newcomer_yard, commands, none);
   std::vector<const Agent*> agents;
   for (const Agent& agent : run.agents()) agents.push_back(&agent);
   for (const twin::Command& command : commands) {

@@ -9,6 +9,7 @@
 namespace slackwater::twin {
 namespace {
 
+constexpr double usual_diffuse = 0.25;       // of the beam attenuation
 constexpr double usual_backscatter = 0.015;  // of the beam attenuation
 
 void refuse_turbidity(const Config& c) {
@@ -34,6 +35,15 @@ double beam_attenuation_of_air(double optical_range_m) noexcept {
   return -std::log(0.05) / optical_range_m;
 }
 
+Clarity seen_through(const Clarity& own, double visibility_m, Medium medium) noexcept {
+  Clarity clarity = own;
+  clarity.beam_attenuation_per_m = medium == Medium::water ? beam_attenuation_of_water(visibility_m)
+                                                           : beam_attenuation_of_air(visibility_m);
+  clarity.diffuse_attenuation_per_m = usual_diffuse * clarity.beam_attenuation_per_m;
+  clarity.backscatter_per_m = usual_backscatter * clarity.beam_attenuation_per_m;
+  return clarity;
+}
+
 double transmission(double beam_attenuation_per_m, double range_m) noexcept {
   return std::exp(-beam_attenuation_per_m * range_m);
 }
@@ -55,7 +65,7 @@ Clarity read_clarity(const Config& c, Medium medium) {
                                        : beam_attenuation_of_air(*visibility);
   clarity.daylight = c.optional_number("daylight", {0, 1000}).value_or(1);
   clarity.diffuse_attenuation_per_m = c.optional_number("diffuse_attenuation_per_m", {0, 50})
-                                          .value_or(clarity.beam_attenuation_per_m / 4);
+                                          .value_or(usual_diffuse * clarity.beam_attenuation_per_m);
   clarity.backscatter_per_m = c.optional_number("backscatter_per_m", {0, 50})
                                   .value_or(usual_backscatter * clarity.beam_attenuation_per_m);
   if (clarity.backscatter_per_m > clarity.beam_attenuation_per_m)

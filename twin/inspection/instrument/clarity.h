@@ -4,6 +4,8 @@
 
 namespace slackwater::twin {
 
+enum class Medium { water, air };
+
 /// Contrast at which a black disc is lost from sight by day, exp(-4.8), Davies-Colley (1988).
 inline constexpr double black_disc_contrast = 0.00822974704902003;
 
@@ -15,10 +17,12 @@ inline constexpr double black_disc_contrast = 0.00822974704902003;
 /// c = -ln 0.05 / V. WMO-No. 8, part I, chapter 9.
 [[nodiscard]] double beam_attenuation_of_air(double optical_range_m) noexcept;
 
+/// The same medium by the same light, but as clear as that one sees so far: what is absorbed and
+/// scattered is in proportion, as where nothing else is said (`read_clarity`).
+[[nodiscard]] Clarity seen_through(const Clarity& own, double visibility_m, Medium medium) noexcept;
+
 /// What is left of a beam after a way: exp(-c r), Beer and Lambert.
 [[nodiscard]] double transmission(double beam_attenuation_per_m, double range_m) noexcept;
-
-enum class Medium { water, air };
 
 /// How clear water or air is:
 ///
