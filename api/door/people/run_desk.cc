@@ -17,6 +17,8 @@ using twin::RefusalReason;
 
 constexpr std::size_t most_places = 200;
 constexpr Milliseconds stick_ahead_ms = 1'000, order_ahead_ms = 5'000;
+/// Between a station that set its clock by `time` and the session, over a slow link.
+constexpr Milliseconds clocks_differ_ms = 500;
 constexpr double farthest_m = 1e6;
 constexpr std::int64_t most_number = std::int64_t{1} << 53U;  // what JavaScript can count
 
@@ -29,6 +31,28 @@ Said refused(RefusalReason reason, std::string text) {
 }
 
 std::string words_of(const HelmNow& helm) { return std::string(name_of(helm.state)); }
+
+std::string words_of(const twin::CameraPointing& camera) {
+  return formatted("pan {:.0f} tilt {:.0f} deg, zoom {:.1f}", camera.pan_rad / constants::degree,
+                   camera.tilt_rad / constants::degree, camera.zoom);
+}
+
+/// For the record: "wind 12.0 m/s from 240 deg, waves 2.0 m".
+std::string words_of(const twin::WeatherAsked& asked) {
+  std::vector<std::string> words;
+  if (asked.wind_10m_m_s)
+    words.push_back(formatted("wind {:.1f} m/s from {:.0f} deg", std::abs(*asked.wind_10m_m_s),
+                              from_direction_deg(*asked.wind_10m_m_s)));
+  if (asked.significant_wave_height_m)
+    words.push_back(formatted("waves {:.1f} m", *asked.significant_wave_height_m));
+  if (asked.current_m_s)
+    words.push_back(formatted("current {:.2f} m/s to {:.0f} deg", std::abs(*asked.current_m_s),
+                              to_direction_deg(*asked.current_m_s)));
+  if (asked.visibility_m) words.push_back(formatted("visibility {:.0f} m", *asked.visibility_m));
+  if (asked.water_visibility_m)
+    words.push_back(formatted("visibility under water {:.1f} m", *asked.water_visibility_m));
+  return words.empty() ? "as the run has it" : joined(words, ", ");
+}
 
 twin::Triple<double> place_of(const StationSays& says) {
   return {says.number("north_m", -farthest_m, farthest_m),
@@ -59,6 +83,7 @@ const std::vector<RunDesk::Deed>& RunDesk::deeds() {
       {"raw", Role::drives, &RunDesk::raw},
       {"stick", Role::drives, &RunDesk::stick},
       {"thrusters", Role::drives, &RunDesk::thrusters},
+      {"camera", Role::drives, &RunDesk::camera},
       {"waypoints", Role::drives, &RunDesk::waypoints},
       {"hold", Role::drives, &RunDesk::hold},
       {"home", Role::drives, &RunDesk::home},
@@ -68,6 +93,7 @@ const std::vector<RunDesk::Deed>& RunDesk::deeds() {
       {"go_on", Role::supervises, &RunDesk::go_on},
       {"step", Role::supervises, &RunDesk::step},
       {"spawn", Role::supervises, &RunDesk::spawn},
+      {"weather", Role::supervises, &RunDesk::weather},
   };
   return deeds;
 }
@@ -124,6 +150,7 @@ Said RunDesk::begun(const About& about) const {
 
 std::optional<Refusal> RunDesk::stale(const Asked& asked, Milliseconds most_ahead) {
   const std::int64_t number = asked.says.whole("number", 1, most_number);
+  const std::int64_t at = asked.says.whole("at", -most_number, most_number);
   const std::int64_t until = asked.says.whole("until", -most_number, most_number);
   std::int64_t& last = counts_[asked.seat.number].number;
   if (number <= last)
@@ -136,11 +163,16 @@ std::optional<Refusal> RunDesk::stale(const Asked& asked, Milliseconds most_ahea
                    formatted("found a command that was valid until {:.1f} s ago; it is not carried "
                              "out; check the link, and send a new one",
                              seconds(asked.now - until))};
-  if (until > asked.now + most_ahead)
+  if (until - at > most_ahead)
     return Refusal{RefusalReason::stale,
                    formatted("found a command that is valid for {:.1f} s, expected at most {:.1f} "
-                             "s; set the station's clock by `time`",
-                             seconds(until - asked.now), seconds(most_ahead))};
+                             "s; give it a shorter `until`",
+                             seconds(until - at), seconds(most_ahead))};
+  if (at > asked.now + clocks_differ_ms)
+    return Refusal{RefusalReason::stale,
+                   formatted("found a command given {:.1f} s from now; set the station's clock by "
+                             "`time`",
+                             seconds(at - asked.now))};
   return std::nullopt;
 }
 
@@ -153,6 +185,14 @@ std::optional<Refusal> RunDesk::no_helm(const Asked& asked, std::size_t vehicle)
                                                  : helm.agent;
   return Refusal{RefusalReason::unauthorised,
                  formatted("{} has the helm of {}; ask for it first", whose, helms_.name(vehicle))};
+}
+
+/// A supervisor directs whatever no person drives, and has its helm from then on.
+std::optional<Refusal> RunDesk::no_say(const Asked& asked, std::size_t vehicle) {
+  const bool is_nobodys = helms_.now(vehicle).seat == 0;
+  if (asked.seat.role == Role::supervises && is_nobodys)
+    return helms_.take_over(asked.seat, vehicle, asked.now);
+  return no_helm(asked, vehicle);
 }
 
 void RunDesk::submit(const Asked& asked, std::size_t vehicle, twin::CommandWhat what, Said& said) {
@@ -275,7 +315,7 @@ Said RunDesk::waypoints(const Asked& asked) {
     return said;
   }
   said.refused = stale(asked, order_ahead_ms);
-  if (!said.refused) said.refused = no_helm(asked, of.vehicle);
+  if (!said.refused) said.refused = no_say(asked, of.vehicle);
   if (said.refused) return said;
   const std::size_t count = reroute.waypoints.size();
   submit(asked, of.vehicle, std::move(reroute), said);
@@ -287,7 +327,7 @@ Said RunDesk::order(const Asked& asked, twin::CommandWhat what, bool needs_helm)
   const About of = about(asked);
   Said said = begun(of);
   said.refused = stale(asked, order_ahead_ms);
-  if (!said.refused && needs_helm) said.refused = no_helm(asked, of.vehicle);
+  if (!said.refused && needs_helm) said.refused = no_say(asked, of.vehicle);
   if (!said.refused && !needs_helm && !helms_.holds(asked.seat, of.vehicle))
     said.refused = helms_.take_over(asked.seat, of.vehicle, asked.now);
   if (!said.refused) submit(asked, of.vehicle, std::move(what), said);
@@ -299,6 +339,40 @@ Said RunDesk::hold(const Asked& asked) {
 }
 Said RunDesk::home(const Asked& asked) { return order(asked, twin::GoHome{}, true); }
 Said RunDesk::resume(const Asked& asked) { return order(asked, twin::Resume{}, true); }
+
+Said RunDesk::camera(const Asked& asked) {
+  const twin::CameraPointing pointing{asked.says.number("pan_deg", -180, 180) * constants::degree,
+                                      asked.says.number("tilt_deg", -90, 90) * constants::degree,
+                                      asked.says.number("zoom", 1, twin::most_zoom)};
+  Said said = order(asked, twin::PointCamera{pointing}, true);
+  said.before = words_of(asked.run.vehicles.at(about(asked).vehicle).camera);
+  said.after = words_of(pointing);
+  return said;
+}
+
+/// All of it at once: what a message leaves out is as the run has it by itself.
+Said RunDesk::weather(const Asked& asked) {
+  const StationSays& says = asked.says;
+  twin::WeatherAsked wanted;
+  if (const auto wind = says.object_if("wind"))
+    wanted.wind_10m_m_s = vector_from_direction(wind->number("speed_m_s", 0, 1000),
+                                                wind->number("from_deg", -360, 360));
+  if (const auto current = says.object_if("current"))
+    wanted.current_m_s = vector_to_direction(current->number("speed_m_s", 0, 1000),
+                                             current->number("to_deg", -360, 360));
+  wanted.significant_wave_height_m = says.number_if("waves_m", 0, 1000);
+  wanted.visibility_m = says.number_if("visibility_m", 0, 1e9);
+  wanted.water_visibility_m = says.number_if("water_visibility_m", 0, 1e9);
+  wanted.over_s = says.number_if("over_s", 0, 1e9).value_or(wanted.over_s);
+  Said said;
+  said.before = asked.run.around ? words_of(asked.run.around->asked) : std::string();
+  said.after = words_of(wanted);
+  said.refused = hand_.arbiter.set_weather(supervisors, wanted, hand_.arbiter.time_s());
+  if (said.refused) return said;
+  weather_by_ = asked.seat.name;
+  said.step = asked.run.step + 1;
+  return said;
+}
 
 Said RunDesk::pause(const Asked& asked) {
   Said said;

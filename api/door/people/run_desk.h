@@ -49,6 +49,8 @@ class RunDesk {
   [[nodiscard]] const Helms& helms() const noexcept { return helms_; }
   /// Who paused it last; empty: nobody of the session.
   [[nodiscard]] const std::string& paused_by() const noexcept { return paused_by_; }
+  /// Who leads the weather; empty: nobody.
+  [[nodiscard]] const std::string& weather_by() const noexcept { return weather_by_; }
   /// The last number of the seat's commands.
   [[nodiscard]] std::int64_t last_number(unsigned seat) const;
   void forget(unsigned seat) { counts_.erase(seat); }
@@ -80,6 +82,8 @@ class RunDesk {
   [[nodiscard]] Said go_on(const Asked& asked);
   [[nodiscard]] Said step(const Asked& asked);
   [[nodiscard]] Said spawn(const Asked& asked);
+  [[nodiscard]] Said camera(const Asked& asked);
+  [[nodiscard]] Said weather(const Asked& asked);
 
   /// The vehicle that a message is about; what it is about now.
   struct About {
@@ -95,6 +99,7 @@ class RunDesk {
   /// What speaks against the number and the time of a command.
   [[nodiscard]] std::optional<twin::Refusal> stale(const Asked& asked, Milliseconds most_ahead);
   [[nodiscard]] std::optional<twin::Refusal> no_helm(const Asked& asked, std::size_t vehicle) const;
+  [[nodiscard]] std::optional<twin::Refusal> no_say(const Asked& asked, std::size_t vehicle);
   void submit(const Asked& asked, std::size_t vehicle, twin::CommandWhat what, Said& said);
   /// A command that is but a word.
   [[nodiscard]] Said order(const Asked& asked, twin::CommandWhat what, bool needs_helm);
@@ -108,7 +113,7 @@ class RunDesk {
     std::uint64_t sequence = 0;  ///< ours, for the arbiter
   };
   std::map<unsigned, Counts> counts_;
-  std::string paused_by_;
+  std::string paused_by_, weather_by_;
   bool has_run_ = false;
 };
 

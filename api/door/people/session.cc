@@ -68,6 +68,8 @@ void Session::begin(const api::RunInHand& hand) {
     desk_ = std::make_unique<RunDesk>(hand);
     desk_->mind_run(seats_.has(Role::supervises));
     barrier_at_ = clock();
+    if (hand.environment->turbines)
+      farm_ = std::make_shared<FarmOutput>(*hand.environment->turbines);
     json structures = json::array();
     const auto& standing = hand.environment->structures;
     for (std::size_t i = 0; i < standing.size(); ++i)
@@ -353,7 +355,23 @@ void Session::tick_on(const std::stop_token& over) {
     next += std::chrono::milliseconds(tick_ms);
     std::this_thread::sleep_until(next);
     tick();
+    mind_farm();
   }
+}
+
+/// Wakes take milliseconds to work out: nobody waits for that.
+void Session::mind_farm() {
+  std::shared_ptr<FarmOutput> farm;
+  Horizontal wind_m_s;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!farm_ || !now_.around || !now_.around->hub_wind_m_s) return;
+    farm = farm_;
+    wind_m_s = *now_.around->hub_wind_m_s;
+  }
+  const FarmNow now = farm->at(wind_m_s);
+  const std::lock_guard lock(mutex_);
+  farm_now_ = now;
 }
 
 void Session::tick() {
@@ -404,6 +422,7 @@ void Session::tick() {
   tell_helms();
   tell_status(is_second);
   tell_run();
+  if (is_second) tell_around();
   std::vector<Pose> poses;
   for (const VehicleNow& vehicle : now_.vehicles) poses.push_back(vehicle.pose);
   for (auto& [socket, station] : stations_) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "api/door/http/websocket.h"
+#include "api/door/people/farm_output.h"
 #include "api/door/people/run_desk.h"
 #include "api/door/people/station.h"
 #include "api/door/people/told.h"
@@ -81,6 +82,9 @@ class Session final : public api::http::WebSocketHandler {
   void tell_helms();
   void tell_status(bool is_second);
   void tell_run();
+  void tell_around();
+  void mind_farm();
+  [[nodiscard]] nlohmann::json weather_now() const;
   [[nodiscard]] ShownHelm shown(std::size_t vehicle) const;
   [[nodiscard]] nlohmann::json run_json() const;
   [[nodiscard]] std::string run_state() const;
@@ -98,7 +102,9 @@ class Session final : public api::http::WebSocketHandler {
   nlohmann::json run_facts_;  ///< that never change: of the welcome
   std::vector<ShownHelm> helms_told_;
   std::vector<nlohmann::json> status_told_;
-  nlohmann::json seats_told_, run_told_;
+  nlohmann::json seats_told_, run_told_, weather_told_, traffic_told_;
+  std::shared_ptr<FarmOutput> farm_;  ///< null: the site has no turbines
+  std::optional<FarmNow> farm_now_;
   bool is_over_ = false;
   Milliseconds barrier_at_ = 0, barrier_after_ = 0;  ///< the last one, and how long after another
   Milliseconds second_at_ = 0;

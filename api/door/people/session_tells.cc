@@ -88,6 +88,8 @@ void Session::welcome(Station& station, const Seats::Taken& taken) {
   welcome["seats"] = seats;
   welcome["actions"] = rows;
   welcome["run"] = run_json();
+  welcome["weather"] = weather_now();
+  welcome["traffic"] = now_.around ? traffic_json(*now_.around) : json(nullptr);
   tell(station, welcome);
 }
 
@@ -122,6 +124,22 @@ void Session::tell_status(bool is_second) {
     status_told_[i] = status;
     tell_all(status);
   }
+}
+
+json Session::weather_now() const {
+  if (!now_.around || !desk_) return nullptr;
+  return weather_json(*now_.around, now_.time_s, farm_now_, desk_->weather_by());
+}
+
+void Session::tell_around() {
+  if (!now_.around) return;
+  const auto tell_new = [this](json is, json& told) {
+    if (is == told || is.is_null()) return;
+    told = std::move(is);
+    tell_all(told);
+  };
+  tell_new(weather_now(), weather_told_);
+  tell_new(traffic_json(*now_.around), traffic_told_);
 }
 
 void Session::tell_run() {

@@ -60,6 +60,20 @@ std::int64_t StationSays::whole(std::string_view key, std::int64_t low, std::int
                    found(value), low, high));
 }
 
+std::optional<double> StationSays::number_if(std::string_view key, double low, double high) const {
+  const auto value = json_.find(key);
+  if (value == json_.end() || value->is_null()) return std::nullopt;
+  return number(key, low, high);
+}
+
+std::optional<StationSays> StationSays::object_if(std::string_view key) const {
+  const auto value = json_.find(key);
+  if (value == json_.end() || value->is_null()) return std::nullopt;
+  if (!value->is_object())
+    refuse(formatted("{}: {}: found {}, expected an object or null", what_, key, found(*value)));
+  return StationSays(*value, formatted("{}: {}", what_, key));
+}
+
 bool StationSays::flag(std::string_view key, bool otherwise) const {
   const auto value = json_.find(key);
   if (value == json_.end()) return otherwise;

@@ -22,6 +22,11 @@ class StationSays {
 
   [[nodiscard]] double number(std::string_view key, double low, double high) const;
   [[nodiscard]] std::int64_t whole(std::string_view key, std::int64_t low, std::int64_t high) const;
+  /// Absent where it is not there, or null.
+  [[nodiscard]] std::optional<double> number_if(std::string_view key, double low,
+                                                double high) const;
+  /// An object within, as a message of its own; absent likewise.
+  [[nodiscard]] std::optional<StationSays> object_if(std::string_view key) const;
   [[nodiscard]] bool flag(std::string_view key, bool otherwise) const;
   /// @param most  letters
   [[nodiscard]] std::string text(std::string_view key, std::size_t most) const;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/agent/conduct.h"
 
@@ -20,6 +21,13 @@ json or_null(const std::optional<Value>& value) {
 json place_json(const twin::Triple<double>& ned_m) {
   return {{"east_m", ned_m.y}, {"north_m", ned_m.x}, {"up_m", -ned_m.z}};
 }
+
+/// So that what hardly changes is not told again.
+json rounded(double value, double to) {
+  return std::isfinite(value) ? json(std::round(value / to) * to + 0.0) : json(nullptr);
+}
+
+json degrees(double angle_rad) { return rounded(angle_rad / constants::degree, 0.1); }
 
 json seat_or_null(unsigned seat) { return seat == 0 ? json(nullptr) : json(seat); }
 
@@ -47,6 +55,11 @@ json vehicle_json(const twin::Agent& agent, std::size_t place, const VehicleNow&
     tether = place_json(agent.tether_top_m);
     tether["length_m"] = agent.tether->longest_m;
   }
+  json zone = nullptr;
+  if (now.zone) {
+    zone = place_json(now.zone->centre_m);
+    zone["radius_m"] = now.zone->radius_m;
+  }
   return {{"vehicle", place},
           {"name", agent.name},
           {"model", vehicle.id},
@@ -60,7 +73,8 @@ json vehicle_json(const twin::Agent& agent, std::size_t place, const VehicleNow&
           {"stand_off_m", envelope.stand_off_m > 0 ? json(envelope.stand_off_m) : nullptr},
           {"fence_m", or_null(envelope.fence_m)},
           {"home", place_json(now.home_m)},
-          {"tether", tether}};
+          {"tether", tether},
+          {"zone", zone}};
 }
 
 json structure_json(const twin::Structure& structure, std::size_t place) {
@@ -96,6 +110,59 @@ json action_json(const Action& action) {
           {"why", action.why}};
 }
 
+json traffic_json(const Surroundings& around) {
+  json vessels = json::array();
+  for (const VesselNow& vessel : around.vessels) {
+    const double speed_m_s = std::abs(vessel.velocity_m_s);
+    vessels.push_back(
+        {{"mmsi", vessel.mmsi},
+         {"name", vessel.name},
+         {"east_m", rounded(vessel.east_m, 0.1)},
+         {"north_m", rounded(vessel.north_m, 0.1)},
+         {"course_deg",
+          speed_m_s > 0 ? rounded(to_direction_deg(vessel.velocity_m_s), 1) : json(nullptr)},
+         {"speed_m_s", rounded(speed_m_s, 0.01)},
+         {"length_m", or_null(vessel.length_m)}});
+  }
+  return {{"is", "traffic"}, {"vessels", vessels}, {"left_out", around.vessels_left_out}};
+}
+
+json weather_json(const Surroundings& around, double time_s, const std::optional<FarmNow>& farm,
+                  const std::string& led_by) {
+  json told{{"is", "weather"}};
+  const auto put = [&](const std::string& what, const std::optional<Horizontal>& m_s,
+                       const char* direction, double (*direction_deg)(Horizontal)) {
+    told[what + "_m_s"] = m_s ? rounded(std::abs(*m_s), 0.01) : json(nullptr);
+    told[what + direction] =
+        m_s && std::abs(*m_s) > 0 ? rounded(direction_deg(*m_s), 1) : json(nullptr);
+  };
+  put("wind", around.wind_10m_m_s, "_from_deg", from_direction_deg);
+  put("hub_wind", around.hub_wind_m_s, "_from_deg", from_direction_deg);
+  put("current", around.current_m_s, "_to_deg", to_direction_deg);
+  const SeaState sea = around.sea.value_or(SeaState{std::nan(""), std::nan(""), std::nan("")});
+  told["waves_m"] = rounded(sea.significant_height_m, 0.01);
+  told["waves_period_s"] = rounded(sea.peak_period_s, 0.1);
+  told["waves_from_deg"] = rounded(sea.from_direction_deg, 1);
+  told["visibility_m"] = or_null(around.visibility_m);
+  told["water_visibility_m"] = or_null(around.water_visibility_m);
+  json led = json::array();
+  const twin::WeatherAsked& asked = around.asked;
+  if (asked.wind_10m_m_s) led.push_back("wind");
+  if (asked.significant_wave_height_m) led.push_back("waves");
+  if (asked.current_m_s) led.push_back("current");
+  if (asked.visibility_m) led.push_back("visibility");
+  if (asked.water_visibility_m) led.push_back("water_visibility");
+  told["led"] = led;
+  told["led_by"] = led.empty() || led_by.empty() ? json(nullptr) : json(led_by);
+  told["settles_in_s"] = std::max(0.0, std::ceil(around.settled_s - time_s));
+  told["farm"] = nullptr;
+  if (farm)
+    told["farm"] = {{"power_w", rounded(farm->power_w, 1e4)},
+                    {"rated_w", farm->rated_w},
+                    {"turbines", farm->turbines}};
+  return told;
+}
+
 json helm_json(std::size_t vehicle, const ShownHelm& shown) {
   const HelmNow& helm = shown.helm;
   json holder = nullptr;
@@ -118,13 +185,21 @@ json status_json(std::size_t vehicle, const VehicleNow& now) {
   for (const twin::Waypoint& waypoint : now.waypoints)
     waypoints.push_back(place_json(waypoint.position_m));
   json alarms = json::array();
-  for (const twin::Alarm& alarm : now.alarms)
-    alarms.push_back({{"mmsi", alarm.id}, {"is_lost", alarm.status == twin::AlarmStatus::lost}});
+  for (const auto& [alarm, name] : now.alarms)
+    alarms.push_back({{"mmsi", alarm.id},
+                      {"name", name},
+                      {"is_lost", alarm.status == twin::AlarmStatus::lost},
+                      {"cpa_m", rounded(alarm.approach.distance_m, 1)},
+                      {"cpa_s", rounded(alarm.approach.time_s, 1)}});
+  const json camera{{"pan_deg", degrees(now.camera.pan_rad)},
+                    {"tilt_deg", degrees(now.camera.tilt_rad)},
+                    {"zoom", rounded(now.camera.zoom, 0.01)}};
   return {
       {"is", "status"},           {"vehicle", vehicle},       {"doing", now.words.doing},
       {"cause", now.words.cause}, {"phase", now.words.phase}, {"halt", now.words.halt},
       {"task", now.words.task},   {"tasks", now.words.tasks}, {"waypoints", waypoints},
-      {"alarms", alarms},         {"reserve", now.advice},    {"margin_s", or_null(now.margin_s)}};
+      {"alarms", alarms},         {"reserve", now.advice},    {"margin_s", or_null(now.margin_s)},
+      {"camera", camera}};
 }
 
 }  // namespace slackwater::people

@@ -15,6 +15,17 @@ namespace slackwater::people {
 [[nodiscard]] nlohmann::json structure_json(const twin::Structure& structure, std::size_t place);
 [[nodiscard]] nlohmann::json action_json(const Action& action);
 
+[[nodiscard]] nlohmann::json traffic_json(const Surroundings& around);
+/// What the turbines of the site make now.
+struct FarmNow {
+  double power_w = 0, rated_w = 0;
+  std::size_t turbines = 0;
+};
+/// @param led_by  who leads it; empty: nobody
+[[nodiscard]] nlohmann::json weather_json(const Surroundings& around, double time_s,
+                                          const std::optional<FarmNow>& farm,
+                                          const std::string& led_by);
+
 /// A helm as it is shown: the same until something of it changes.
 struct ShownHelm {
   HelmNow helm;

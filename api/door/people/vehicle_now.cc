@@ -78,7 +78,7 @@ RunNow RunLook::look() {
   twin::Run& run = hand_.run;
   const auto agents = run.agents();
   const auto states = run.states();
-  RunNow now{run.time_s(), run.steps_made(), agents.data(), {}};
+  RunNow now{run.time_s(), run.steps_made(), agents.data(), {}, {}};
   for (std::size_t i = advice_.size(); i < agents.size(); ++i) {
     advice_.emplace_back(states[i], now.time_s);
     reserve_.emplace_back();
@@ -86,7 +86,11 @@ RunNow RunLook::look() {
   }
   const bool looks_at_reserve =
       reserve_at_s_ < 0 || now.time_s >= reserve_at_s_ + reserve_every_s - 1e-6;
-  if (looks_at_reserve) reserve_at_s_ = now.time_s;
+  if (looks_at_reserve) {
+    reserve_at_s_ = now.time_s;
+    around_ = std::make_shared<const Surroundings>(surroundings_of(hand_));
+  }
+  now.around = around_;
   const auto& alarms = hand_.watch.state().alarms;
   now.vehicles.resize(agents.size());
   for (std::size_t i = 0; i < agents.size(); ++i) {
@@ -111,7 +115,12 @@ RunNow RunLook::look() {
     }
     vehicle.margin_s = reserve_[i].margin_s;
     vehicle.advice = reserve_[i].advice;
-    if (i < alarms.size()) vehicle.alarms = {alarms[i].begin(), alarms[i].end()};
+    vehicle.camera = state.helm.camera;
+    if (agent.conduct && agent.conduct->plan.mammals)
+      vehicle.zone = {state.conduct.mammals.noise_m, agent.conduct->plan.mammals->noise.radius_m};
+    if (i >= alarms.size()) continue;
+    for (const twin::Alarm& alarm : alarms[i])
+      vehicle.alarms.push_back({alarm, twin::name_of_vessel(hand_.vessels, alarm.id)});
   }
   return now;
 }

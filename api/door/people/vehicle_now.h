@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,9 +8,22 @@
 #include "api/ask/run/scenario_run.h"
 #include "api/door/live/reserve_advice.h"
 #include "api/door/live/vehicle_publisher.h"
+#include "api/door/people/surroundings.h"
 #include "api/door/people/wire/pose.h"
 
 namespace slackwater::people {
+
+/// A vessel that comes too near.
+struct AlarmNow {
+  twin::Alarm alarm;
+  std::string name;  ///< of the vessel; may be empty
+};
+
+/// A circle about the place of noisy work.
+struct ZoneNow {
+  twin::Triple<double> centre_m;  ///< NED
+  double radius_m = 0;
+};
 
 /// What is shown of a vehicle beside its pose, and what a stick is shaped by.
 struct VehicleNow {
@@ -23,7 +37,9 @@ struct VehicleNow {
   std::vector<twin::Waypoint> waypoints;  ///< left of what it goes by, NED
   double margin_s = 0;                    ///< of its energy; not a number where none is computed
   std::string advice;
-  std::vector<twin::Alarm> alarms;
+  std::vector<AlarmNow> alarms;
+  twin::CameraPointing camera;
+  std::optional<ZoneNow> zone;  ///< that it watches for animals
 };
 
 /// All vehicles at a barrier.
@@ -32,6 +48,7 @@ struct RunNow {
   std::uint64_t step = 0;
   const twin::Agent* agents = nullptr;  ///< as many as there are vehicles; they stay where they are
   std::vector<VehicleNow> vehicles;
+  std::shared_ptr<const Surroundings> around;  ///< once a second another one
 };
 
 /// Looks at a run at its barriers. On the thread of the run.
@@ -45,6 +62,7 @@ class RunLook {
   std::vector<live::ReserveAdvice> advice_;
   std::vector<dds::Reserve> reserve_;
   double reserve_at_s_ = -1;
+  std::shared_ptr<const Surroundings> around_;
 };
 
 }  // namespace slackwater::people

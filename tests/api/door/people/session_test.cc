@@ -126,6 +126,19 @@ TEST_F(Session, TheSupervisorHoldsAndTakesBackWhoeverDrives) {
   EXPECT_TRUE(contains(row["after"].get<std::string>(), "vessel comes"));
 }
 
+// Whatever no person drives; what a person drives is taken back with a reason first.
+TEST_F(Session, TheSupervisorDirectsWhatNobodyDrives) {
+  const json there{{"places", {{{"east_m", 3}, {"north_m", 0}, {"up_m", -8}, {"speed_m_s", 0}}}}};
+  expect_refused(bob.asks(bob.command("waypoints", 0, there)), "unauthorised", "ask for it first");
+  expect_taken(sue.asks(sue.command("waypoints", 0, there)));
+  EXPECT_FALSE(guest.told("helm", mode(0, "waypoints")).is_null());
+  expect_refused(stick(ann, 0, 0.3), "unauthorised", "seat 3 has the helm");
+  expect_taken(ann.asks(ask(1)));
+  expect_refused(sue.asks(sue.command("home", 1)), "unauthorised", "seat 1 has the helm");
+  expect_taken(sue.asks({{"do", "take_back"}, {"vehicle", 1}, {"reason", "storm"}}));
+  expect_taken(sue.asks(sue.command("home", 1)));
+}
+
 TEST_F(Session, OnlySupervisorsPauseStepAndSpawn) {
   expect_taken(sue.asks({{"do", "pause"}}));
   const json paused = guest.told("run", [](const json& run) { return run["state"] == "paused"; });
@@ -219,7 +232,13 @@ TEST_F(Session, NothingThatWasQueuedRunsLate) {
   expect_refused(ann.asks(late), "stale", "not carried out");
   json far = ann.command("stick", 0, {{"velocity", {0.3, 0, 0, 0}}});
   far["until"] = ann.clock() + 60'000;
-  expect_refused(ann.asks(far), "stale", "set the station's clock");
+  expect_refused(ann.asks(far), "stale", "expected at most 1.0 s");
+  json early = ann.command("stick", 0, {{"velocity", {0.3, 0, 0, 0}}});
+  early["at"] = early["until"] = ann.clock() + 60'000;
+  expect_refused(ann.asks(early), "stale", "set the station's clock");
+  json timeless = ann.command("stick", 0, {{"velocity", {0.3, 0, 0, 0}}});
+  timeless.erase("at");
+  expect_refused(ann.asks(timeless), "unreadable", "found no at");
   json again = ann.command("hold", 0);
   expect_taken(ann.asks(again));
   expect_refused(ann.asks(again), "stale", "count on");

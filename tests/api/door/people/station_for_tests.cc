@@ -152,6 +152,7 @@ json StationClient::command(const std::string& what, int vehicle, json with) {
   with["vehicle"] = vehicle;
   with["number"] = number();
   // As long as it may be: a test is not about a machine that stands still for a moment.
+  with["at"] = clock();
   with["until"] = clock() + (what == "stick" || what == "thrusters" ? 900 : 4'500);
   return with;
 }

@@ -53,6 +53,7 @@ double nearest_m(double current_m_s, double surge_m_s) {
       const people::Said said = says({{"do", "stick"},
                                       {"vehicle", 0},
                                       {"number", i},
+                                      {"at", clock},
                                       {"until", clock + 400},
                                       {"velocity", {surge_m_s, 0, 0, 0}}});
       hand.run.step();

@@ -43,6 +43,7 @@ json message_of(Rng& rng, std::int64_t number, std::int64_t now) {
   json message{{"do", words[pick(words.size())]},
                {"vehicle", 0},
                {"number", number},
+               {"at", now},
                {"until", now + 300},
                {"velocity", {0.1, 0, 0, 0}},
                {"share", {0, 0, 0, 0, 0, 0, 0, 0}},
@@ -58,8 +59,8 @@ json message_of(Rng& rng, std::int64_t number, std::int64_t now) {
                {"heading_deg", 0}};
   // One thing of it is wrong, in half of them.
   if (rng.uniform() < 0.5) {
-    static const std::vector<std::string> keys{"vehicle", "number", "until", "velocity", "share",
-                                               "places",  "steps",  "name",  "is_on"};
+    static const std::vector<std::string> keys{"vehicle", "number", "at",    "until", "velocity",
+                                               "share",   "places", "steps", "name",  "is_on"};
     message[keys[pick(keys.size())]] = number_of(rng);
   }
   return message;

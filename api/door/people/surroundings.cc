@@ -1,0 +1,81 @@
+#include "api/door/people/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "twin/body/frame.h"
+
+namespace slackwater::people {
+namespace {
+
+constexpr std::size_t most_vessels = 30;  ///< that are shown
+constexpr double anemometer_m = 10;
+
+void look_at_weather(const twin::EnvironmentSampler& water, double t_s, Surroundings& around) {
+  const twin::Environment& environment = water.environment();
+  if (const auto wind = water.free_wind({0, 0, -anemometer_m}, t_s); has_value(wind.status))
+    around.wind_10m_m_s = twin::horizontal_of(wind.velocity_m_s);
+  if (environment.turbines) {
+    const double hub_m = environment.turbines->kind->hub_height_m;
+    if (const auto wind = water.free_wind({0, 0, -hub_m}, t_s); has_value(wind.status))
+      around.hub_wind_m_s = twin::horizontal_of(wind.velocity_m_s);
+  }
+  if (const SeaSample sea = water.sea({}, t_s); has_value(sea.status)) around.sea = sea.sea;
+  if (const CurrentSample current = water.forecast_current({}, t_s); has_value(current.status))
+    around.current_m_s = current.velocity_m_s;
+  around.visibility_m = water.visibility_m();
+  around.water_visibility_m = water.water_visibility_m();
+  const twin::WeatherNow* led = environment.weather ? environment.weather->now() : nullptr;
+  if (led == nullptr) return;
+  around.asked = led->asked;
+  around.settled_s = led->since_s + led->asked.over_s;
+}
+
+/// From the vehicle that is nearest to it.
+double nearest_m(const twin::Run& run, const twin::Contact& contact) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const twin::Seen& seen : run.seen())
+    nearest = std::min(nearest, std::hypot(contact.motion.position_m.x - seen.position_m.x,
+                                           contact.motion.position_m.y - seen.position_m.y));
+  return nearest;
+}
+
+void look_at_traffic(const api::RunInHand& hand, double t_s, Surroundings& around) {
+  const auto& vessels = hand.run.agents().front().vessels;
+  if (!vessels || vessels->empty()) return;
+  twin::TrafficPicture picture;
+  twin::populate(*vessels, t_s, {}, picture);
+  std::vector<std::pair<double, const twin::Contact*>> by_distance;
+  for (const twin::Contact& contact : picture.contacts)
+    by_distance.emplace_back(nearest_m(hand.run, contact), &contact);
+  std::stable_sort(by_distance.begin(), by_distance.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [distance_m, contact] : by_distance) {
+    if (around.vessels.size() == most_vessels) break;
+    VesselNow vessel;
+    vessel.mmsi = contact->id;
+    vessel.east_m = contact->motion.position_m.y;
+    vessel.north_m = contact->motion.position_m.x;
+    vessel.velocity_m_s = {contact->motion.velocity_m_s.y, contact->motion.velocity_m_s.x};
+    for (const twin::TrafficVessel& known : *vessels)
+      if (known.id == contact->id) {
+        vessel.name = known.name;
+        vessel.length_m = known.length_m;
+      }
+    around.vessels.push_back(std::move(vessel));
+  }
+  around.vessels_left_out = by_distance.size() - around.vessels.size();
+}
+
+}  // namespace
+
+Surroundings surroundings_of(const api::RunInHand& hand) {
+  Surroundings around;
+  const double t_s = hand.run.time_s();
+  look_at_weather(*hand.run.agents().front().water, t_s, around);
+  look_at_traffic(hand, t_s, around);
+  return around;
+}
+
+}  // namespace slackwater::people

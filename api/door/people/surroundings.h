@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/ask/run/scenario_run.h"
+#include "twin/traffic/traffic_picture.h"
+
+namespace slackwater::people {
+
+/// A vessel that passes by.
+struct VesselNow {
+  std::uint32_t mmsi = 0;
+  std::string name;
+  double east_m = 0, north_m = 0;
+  Horizontal velocity_m_s;  ///< over ground
+  std::optional<double> length_m;
+};
+
+/// The weather at the origin of the run, as its vehicles have it, and who passes by.
+struct Surroundings {
+  std::optional<Horizontal> wind_10m_m_s, hub_wind_m_s;  ///< towards, free; absent: nobody knows
+  std::optional<SeaState> sea;
+  std::optional<Horizontal> current_m_s;                   ///< towards, at the surface
+  std::optional<double> visibility_m, water_visibility_m;  ///< where somebody says so
+  twin::WeatherAsked asked;                                ///< what is led
+  double settled_s = 0;                                    ///< of the run: when it is as asked
+  std::vector<VesselNow> vessels;                          ///< nearest first
+  std::size_t vessels_left_out = 0;                        ///< farther ones
+};
+
+/// Looks round. On the thread of the run, at a barrier; costs microseconds, and a copy of each
+/// vessel.
+[[nodiscard]] Surroundings surroundings_of(const api::RunInHand& hand);
+
+}  // namespace slackwater::people

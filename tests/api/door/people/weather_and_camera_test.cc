@@ -1,0 +1,222 @@
+// The weather in a supervisor's hand, the camera in that of whoever has the helm, and what all see
+// of both; a run that was led is made again to the last bit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "api/door/people/farm_output.h"
+#include "api/log/command_tables.h"
+#include "tests/api/door/people/station_for_tests.h"
+#include "tests/support/contains.h"
+#include "tests/support/shared_data.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/twin/run/run_for_tests.h"
+
+namespace slackwater::tests::weather_and_camera_test {
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+using people::Role;
+
+/// An ROV and a craft that floats, in waves and a light wind, and a coaster that comes by.
+const std::string fleet = R"(name: led
+seed: 7
+duration: 30min
+step_s: 0.05
+log_every_s: 0.5
+water: {made_up: {depth_m: 40, current: [{depth_m: 0, east_m_s: 0.1, north_m_s: 0}],
+                  wind: {speed_m_s: 4, from_deg: 200}}}
+waves: {components: 16, partitions: [{significant_height_m: 0.5, peak_period_s: 6, from_deg: 200}]}
+gusts: dryden
+vehicles:
+  - {name: rov, model: bluerov2_heavy, start: {north_m: 0, east_m: 0, depth_m: 10},
+     tasks: [{do: hold}]}
+  - {name: usv, model: wamv16, start: {north_m: 60, east_m: 0, depth_m: 0}, tasks: [{do: hold}]}
+traffic:
+  alarm: {cpa_m: 200, tcpa_min: 5}
+  vessels:
+    - {mmsi: 211000001, name: COASTER, speed_m_s: 8,
+       waypoints: [{north_m: 100, east_m: -900}, {north_m: 100, east_m: 20000}]}
+)";
+
+struct LedSession : testing::Test {
+  twin::CommandArbiter* arbiter = nullptr;  ///< as another door has it
+  SessionUnderWay run{fleet,
+                      {4, people::TokenBook::drawn(UtcTime::max()),
+                       [this](const api::RunInHand& hand) { arbiter = &hand.arbiter; }}};
+  StationClient ann{run, run.token(Role::drives)};
+  StationClient sue{run, run.token(Role::supervises)};
+  StationClient guest{run, run.token(Role::looks_on)};
+  json anns = ann.hello("Ann"), sues = sue.hello("Sue"), guests = guest.hello("Gus");
+
+  static void expect_refused(const json& answer, const std::string& reason,
+                             const std::string& words) {
+    ASSERT_TRUE(answer.is_object());
+    EXPECT_EQ(answer["taken"], false) << answer;
+    EXPECT_EQ(answer.value("reason", ""), reason);
+    EXPECT_TRUE(contains(answer.value("text", ""), words));
+  }
+  static void expect_taken(const json& answer) {
+    ASSERT_TRUE(answer.is_object());
+    EXPECT_EQ(answer["taken"], true) << answer;
+  }
+  static json gale() {
+    return {{"do", "weather"},
+            {"wind", {{"speed_m_s", 12}, {"from_deg", 270}}},
+            {"waves_m", 1.2},
+            {"current", {{"speed_m_s", 0.4}, {"to_deg", 90}}},
+            {"water_visibility_m", 1.5},
+            {"over_s", 4}};
+  }
+};
+
+TEST_F(LedSession, EverybodyIsShownTheWeatherAndWhatOfItIsLed) {
+  const json own = guests["weather"];
+  EXPECT_NEAR(own["wind_m_s"].get<double>(), 4, 0.01);
+  EXPECT_NEAR(own["wind_from_deg"].get<double>(), 200, 0.5);
+  EXPECT_NEAR(own["waves_m"].get<double>(), 0.5, 0.01);
+  EXPECT_TRUE(own["led"].empty());
+  EXPECT_TRUE(own["visibility_m"].is_null()) << "nobody says";
+  EXPECT_TRUE(own["farm"].is_null()) << "no turbines here";
+  expect_refused(ann.asks(gale()), "unauthorised", "role of supervisor");
+  expect_taken(sue.asks(gale()));
+  const json row = guest.told(
+      "action", [](const json& is) { return is["what"] == "weather" && is["taken"] == true; });
+  EXPECT_EQ(row["before"], "as the run has it");
+  EXPECT_EQ(row["after"],
+            "wind 12.0 m/s from 270 deg, waves 1.2 m, current 0.40 m/s to 90 deg, visibility under "
+            "water 1.5 m");
+  const json led = guest.told(
+      "weather", [](const json& is) { return is["settles_in_s"] == 0 && !is["led"].empty(); });
+  ASSERT_FALSE(led.is_null());
+  EXPECT_EQ(led["led"], json({"wind", "waves", "current", "water_visibility"}));
+  EXPECT_EQ(led["led_by"], "Sue");
+  EXPECT_NEAR(led["wind_m_s"].get<double>(), 12, 0.01);
+  EXPECT_NEAR(led["wind_from_deg"].get<double>(), 270, 0.5);
+  EXPECT_NEAR(led["waves_m"].get<double>(), 1.2, 0.01);
+  EXPECT_NEAR(led["current_m_s"].get<double>(), 0.4, 0.01);
+  EXPECT_EQ(led["water_visibility_m"], 1.5);
+  // Who comes later sees it at once; and back it goes.
+  StationClient late(run, run.token(Role::looks_on));
+  EXPECT_EQ(late.hello("Lea")["weather"]["led"].size(), 4U);
+  expect_taken(sue.asks({{"do", "weather"}, {"over_s", 1}}));
+  EXPECT_FALSE(guest
+                   .told("weather",
+                         [](const json& is) {
+                           return is["led"].empty() && is["led_by"].is_null() &&
+                                  std::abs(is["wind_m_s"].get<double>() - 4) < 0.01;
+                         })
+                   .is_null());
+}
+
+TEST_F(LedSession, WhatNoWeatherIsIsRefusedWithWhatWouldDo) {
+  expect_refused(sue.asks({{"do", "weather"}, {"waves_m", 7}}), "out_of_range", "break");
+  expect_refused(sue.asks({{"do", "weather"}, {"wind", {{"speed_m_s", 99}, {"from_deg", 0}}}}),
+                 "out_of_range", "expected 0 to 60 m/s");
+  expect_refused(sue.asks({{"do", "weather"}, {"wind", 12}}), "unreadable", "expected an object");
+  expect_refused(sue.asks({{"do", "weather"}, {"wind", {{"speed_m_s", 9}}}}), "unreadable",
+                 "weather: wind: found no from_deg");
+  expect_refused(sue.asks({{"do", "weather"}, {"over_s", 0}}), "out_of_range", "over: found 0 s");
+  // Another door asks for the supervisor's role too.
+  twin::WeatherAsked asked;
+  asked.visibility_m = 1000;
+  const auto refused = arbiter->set_weather("dds 01", asked, arbiter->time_s());
+  ASSERT_TRUE(refused);
+  EXPECT_TRUE(contains(refused->text, "the supervisors"));
+}
+
+TEST_F(LedSession, TheCameraIsTurnedByWhoeverHasTheHelm) {
+  const json turn{{"pan_deg", 30}, {"tilt_deg", -45}, {"zoom", 2}};
+  expect_refused(ann.asks(ann.command("camera", 0, turn)), "unauthorised", "ask for it first");
+  expect_taken(ann.asks({{"do", "ask"}, {"vehicle", 0}}));
+  expect_taken(ann.asks(ann.command("camera", 0, turn)));
+  const json status = guest.told(
+      "status", [](const json& is) { return is["vehicle"] == 0 && is["camera"]["zoom"] == 2; });
+  ASSERT_FALSE(status.is_null());
+  EXPECT_EQ(status["camera"]["pan_deg"], 30);
+  EXPECT_EQ(status["camera"]["tilt_deg"], -45);
+  EXPECT_NE(status["doing"], "velocity") << "it drives nobody";
+  expect_refused(
+      ann.asks(ann.command("camera", 0, {{"pan_deg", 200}, {"tilt_deg", 0}, {"zoom", 1}})),
+      "unreadable", "expected a number from -180 to 180");
+  expect_refused(
+      ann.asks(ann.command("camera", 0, {{"pan_deg", 0}, {"tilt_deg", 0}, {"zoom", 40}})),
+      "unreadable", "from 1 to 10");
+  // Its own mission looks ahead.
+  expect_taken(ann.asks(ann.command("resume", 0)));
+  EXPECT_FALSE(
+      guest
+          .told("status",
+                [](const json& is) { return is["vehicle"] == 0 && is["camera"]["pan_deg"] == 0; })
+          .is_null());
+}
+
+TEST_F(LedSession, TrafficIsShownWithHowNearItWillCome) {
+  ASSERT_EQ(guests["traffic"]["vessels"].size(), 1U);
+  const json vessel = guests["traffic"]["vessels"][0];
+  EXPECT_EQ(vessel["name"], "COASTER");
+  EXPECT_EQ(vessel["course_deg"], 90);
+  EXPECT_NEAR(vessel["speed_m_s"].get<double>(), 8, 0.01);
+  const json status = guest.told(
+      "status", [](const json& is) { return is["vehicle"] == 1 && !is["alarms"].empty(); });
+  ASSERT_FALSE(status.is_null());
+  const json alarm = status["alarms"][0];
+  EXPECT_EQ(alarm["name"], "COASTER");
+  EXPECT_NEAR(alarm["cpa_m"].get<double>(), 40, 10) << "the way passes 40 m north of it";
+  EXPECT_GT(alarm["cpa_s"].get<double>(), 0);
+}
+
+TEST_F(LedSession, ARunThatWasLedIsMadeAgainToTheLastBit) {
+  expect_taken(ann.asks({{"do", "ask"}, {"vehicle", 0}}));
+  expect_taken(ann.asks(ann.command("camera", 0, {{"pan_deg", 5}, {"tilt_deg", 0}, {"zoom", 1}})));
+  expect_taken(sue.asks(gale()));
+  ann.listen(700ms);
+  // One that joins is made ready in the weather of then.
+  expect_taken(sue.asks({{"do", "spawn"},
+                         {"model", "x500"},
+                         {"name", "uav"},
+                         {"east_m", 20},
+                         {"north_m", 0},
+                         {"up_m", 30},
+                         {"heading_deg", 0}}));
+  ann.listen(500ms);
+  json calmer = gale();
+  calmer["wind"] = nullptr;
+  calmer["over_s"] = 7;
+  expect_taken(sue.asks(calmer));
+  ann.listen(700ms);
+  const api::ScenarioResult& first = run.ended();
+  ASSERT_EQ(first.commands.size(), 4U);
+  EXPECT_EQ(std::get<twin::SetWeather>(first.commands[1].what).asked.over_s, 4);
+  const TemporaryFolder folder;
+  ingest::write_trajectories(first.file, folder / "log.nc");
+  const auto read = api::commands_in(ingest::read_trajectories(folder / "log.nc"));
+  EXPECT_EQ(std::get<twin::SetWeather>(read[1].what).asked,
+            std::get<twin::SetWeather>(first.commands[1].what).asked);
+  for (const std::size_t threads : {1U, 2U}) {
+    api::RunChoice choice;
+    choice.threads = threads;
+    const api::ReplayResult again =
+        api::replay(folder / "log.nc", folder / "store", std::nullopt, choice);
+    EXPECT_TRUE(again.is_identical) << threads << ": " << again.difference;
+  }
+}
+
+// One turbine alone makes what its curve says; of two in a row the second makes less.
+TEST(FarmOutput, IsThatOfTheCurvesLessTheWakes) {
+  const auto kind = std::make_shared<const Turbine>(
+      Turbine::load(source_folder() / "data" / "turbines" / "nrel_5mw.yaml"));
+  people::FarmOutput alone({kind, {{0, 0}}});
+  EXPECT_NEAR(alone.at({9, 0}).power_w, kind->power_w(9), 1e-6 * kind->rated_power_w);
+  EXPECT_EQ(alone.at({9, 0}).rated_w, kind->rated_power_w);
+  EXPECT_EQ(alone.at({0, 0}).power_w, 0);
+  people::FarmOutput row({kind, {{0, 0}, {5 * kind->rotor_diameter_m, 0}}});
+  const double along_w = row.at({9, 0}).power_w, across_w = row.at({0, 9}).power_w;
+  EXPECT_NEAR(across_w, 2 * kind->power_w(9), 1e-6 * kind->rated_power_w);
+  EXPECT_LT(along_w, 0.85 * across_w);
+  EXPECT_GT(along_w, 0.5 * across_w);
+}
+
+}  // namespace
+}  // namespace slackwater::tests::weather_and_camera_test
