@@ -7,6 +7,7 @@ import { button, by_id, set_hidden } from './look/element';
 import { notice } from './look/notice';
 import { use_palette } from './look/palette';
 import { load_settings } from './look/settings';
+import { camera_panel } from './panel/camera_panel';
 import { drive_panel } from './panel/drive_panel';
 import { helm_panel, helm_words } from './panel/helm_panel';
 import { join_form } from './panel/join_form';
@@ -19,6 +20,7 @@ import { supervise_panel } from './panel/supervise_panel';
 import { run_text, top_bar } from './panel/top_bar';
 import { vehicle_table } from './panel/vehicle_table';
 import { waypoint_edit } from './panel/waypoint_edit';
+import { led_text, weather_panel } from './panel/weather_panel';
 import { browser_means } from './session/browser_means';
 import { decode_frame } from './session/frame';
 import { guard_seat, keep_seat, seat_to_take_up } from './session/kept_seat';
@@ -86,9 +88,24 @@ const way = waypoint_edit(
   () => redraw(),
 );
 const supervise = supervise_panel(station);
+const camera = camera_panel(station);
+const weather = weather_panel(station);
 const people = people_panel(station);
 const log = log_panel(station);
-const panels: Panel[] = [top, table, state, helm, orders, drive, way, supervise, people, log];
+const panels: Panel[] = [
+  top,
+  table,
+  state,
+  helm,
+  orders,
+  drive,
+  camera,
+  way,
+  supervise,
+  weather,
+  people,
+  log,
+];
 
 const plan_canvas = by_id('plan') as HTMLCanvasElement;
 const depth_canvas = by_id('depth') as HTMLCanvasElement;
@@ -166,8 +183,8 @@ plan_canvas.after(way.plan_note);
 
 by_id('top').append(top.box);
 by_id('join').append(join.box);
-by_id('chosen').append(helm.box, state.box, drive.box, way.box, supervise.box);
-by_id('around').append(table.box, people.box, log.box);
+by_id('chosen').append(helm.box, state.box, drive.box, camera.box, way.box, supervise.box);
+by_id('around').append(table.box, weather.box, people.box, log.box);
 by_id('orders').append(drive.touch_box, orders.box);
 document.body.append(dialog);
 
@@ -275,6 +292,8 @@ function take_message(message: Json): void {
     typeof message.vehicle === 'number' ? session.helms.get(message.vehicle) : undefined;
   const seat_before = session.seat;
   const alarms_before = new Map(session.alarms);
+  const led_now = (): string | undefined => session.weather?.led.join();
+  const led_before = led_now();
   tell(session, message);
   switch (message.is) {
     case 'welcome':
@@ -321,7 +340,7 @@ function take_message(message: Json): void {
         }
       }
       break;
-    case 'alarm':
+    case 'status':
       for (const [key, alarm] of session.alarms) {
         if (alarms_before.get(key)?.level === alarm.level) continue;
         notice(
@@ -329,6 +348,10 @@ function take_message(message: Json): void {
           'alarm',
         );
       }
+      break;
+    case 'weather':
+      if (session.weather !== null && led_before !== undefined && led_now() !== led_before)
+        notice(led_text(session.weather));
       break;
     case 'said': {
       const last = session.said[session.said.length - 1];

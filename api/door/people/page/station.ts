@@ -55,6 +55,12 @@ export class Station {
   has_helm(): boolean {
     return has_helm(this.session, this.chosen);
   }
+  /** Its way may be told: by who has the helm, and by supervisors where no person has it. */
+  may_direct(): boolean {
+    if (this.has_helm()) return true;
+    const helm = this.chosen === null ? undefined : this.session.helms.get(this.chosen);
+    return this.is_supervisor() && helm !== undefined && typeof helm.holder !== 'number';
+  }
   is_supervisor(): boolean {
     return this.session.role === 'supervisor';
   }

@@ -5,6 +5,7 @@ export const ORDER_IS_VALID_MS = 3000;
 
 export interface Stamp {
   number: number;
+  at: number; // when it was given
   until: number;
 }
 
@@ -27,6 +28,7 @@ export class CommandNumbers {
   stamp(clock_ms: number, valid_ms: number): Stamp | null {
     if (!Number.isFinite(clock_ms)) return null;
     this.last = Math.max(this.last + 1, Math.floor(clock_ms));
-    return { number: this.last, until: Math.floor(clock_ms + valid_ms) };
+    const at = Math.floor(clock_ms);
+    return { number: this.last, at, until: at + valid_ms };
   }
 }

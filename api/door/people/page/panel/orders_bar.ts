@@ -45,8 +45,8 @@ export function orders_bar(station: Station): OrdersBar {
       const mine = station.has_helm();
       const may_hold = chosen !== null && (mine || station.is_supervisor());
       set_disabled(hold, !may_hold);
-      set_disabled(home, !mine);
-      set_disabled(resume, !mine);
+      set_disabled(home, !station.may_direct());
+      set_disabled(resume, !station.may_direct());
       set_text(target, chosen === null ? 'No vehicle is chosen' : `For ${station.chosen_name()}`);
       set_text(
         why,
@@ -55,7 +55,9 @@ export function orders_bar(station: Station): OrdersBar {
           : session.role === 'spectator'
             ? 'Spectators look on.'
             : station.is_supervisor()
-              ? 'HOLD always works.'
+              ? station.may_direct()
+                ? 'Nobody drives it: you may.'
+                : 'HOLD always works.'
               : 'Ask for the helm first.',
       );
     },

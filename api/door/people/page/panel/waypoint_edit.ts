@@ -306,8 +306,8 @@ export function waypoint_edit(
       set_hidden(box, station.session.role === 'spectator');
       set_hidden(editor, !is_editing);
       set_hidden(begin, is_editing);
-      set_disabled(begin, !station.has_helm());
-      set_disabled(send, places.length === 0 || !station.has_helm());
+      set_disabled(begin, !station.may_direct());
+      set_disabled(send, places.length === 0 || !station.may_direct());
       set_hidden(table, places.length === 0);
       if (depth_label !== null)
         set_text(depth_label, flies() ? 'Height of new places, m' : 'Depth of new places, m');

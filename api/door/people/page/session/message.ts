@@ -29,6 +29,7 @@ export interface Vehicle {
   fence_m: number | null;
   home: Point | null;
   tether: (Point & { length_m: number }) | null;
+  zone: (Point & { radius_m: number }) | null; // watched for animals
 }
 export interface Structure {
   name: string;
@@ -83,7 +84,13 @@ export interface Status {
   /** Left; nothing: not told. */
   margin_s: number | null;
   /** All that stand, where the status tells them; nothing: they are told apart. */
-  alarms: { with: string; level: string }[] | null;
+  alarms: Omit<Alarm, 'vehicle'>[] | null;
+  camera: CameraPointing | null;
+}
+export interface CameraPointing {
+  pan_deg: number;
+  tilt_deg: number;
+  zoom: number;
 }
 export interface Alarm {
   vehicle: number;
@@ -174,6 +181,8 @@ export function read_vehicle(it: Json): Vehicle | null {
   if (vehicle === null) return null;
   const tether = as_object(it.tether);
   const anchor = read_point(tether);
+  const zone = as_object(it.zone);
+  const centre = read_point(zone);
   const thruster_names = as_list(it.thruster_names).map(as_text);
   return {
     vehicle,
@@ -190,6 +199,7 @@ export function read_vehicle(it: Json): Vehicle | null {
     fence_m: as_number(it.fence_m),
     home: read_point(it.home),
     tether: anchor && { ...anchor, length_m: as_number(tether?.length_m) ?? 0 },
+    zone: centre && { ...centre, radius_m: as_number(zone?.radius_m) ?? 0 },
   };
 }
 export function read_vehicles(value: unknown): Vehicle[] {
@@ -279,9 +289,12 @@ export function read_status(it: Json): Status | null {
           return {
             with: name,
             level: as_text(alarm.level) || (alarm.is_lost === true ? 'lost from sight' : 'close'),
+            cpa_m: as_number(alarm.cpa_m),
+            cpa_s: as_number(alarm.cpa_s),
           };
         })
       : null,
+    camera: read_camera(as_object(it.camera)),
     limits: list_of(it.limits, (limit) => {
       const value = as_number(limit.value);
       const most = as_number(limit.limit);
@@ -290,16 +303,10 @@ export function read_status(it: Json): Status | null {
     }),
   };
 }
-export function read_alarm(it: Json): Alarm | null {
-  const vehicle = as_number(it.vehicle);
-  if (vehicle === null) return null;
-  return {
-    vehicle,
-    with: as_text(it.with),
-    level: as_text(it.level),
-    cpa_m: as_number(it.cpa_m),
-    cpa_s: as_number(it.cpa_s),
-  };
+function read_camera(it: Json | null): CameraPointing | null {
+  if (it === null) return null;
+  const [pan_deg, tilt_deg] = [as_number(it.pan_deg) ?? 0, as_number(it.tilt_deg) ?? 0];
+  return { pan_deg, tilt_deg, zoom: as_number(it.zoom) ?? 1 };
 }
 export function read_action(it: Json): Action | null {
   const number = as_number(it.number);

@@ -1,5 +1,6 @@
 // The session as the server tells it. Nothing is decided or guessed here: each message replaces
 // what it is about, and a message or a field that is not known is left out.
+import { read_vessels, read_weather, type Vessel, type Weather } from './around';
 import type { Frame, Pose } from './frame';
 import * as read from './message';
 import type {
@@ -39,6 +40,8 @@ export interface Session {
   statuses: Map<number, Status>;
   poses: Map<number, Pose>;
   alarms: Map<string, Alarm>;
+  weather: Weather | null;
+  vessels: Vessel[];
   actions: Action[];
   said: Said[];
   frame: Frame | null;
@@ -61,6 +64,8 @@ export function empty_session(): Session {
     statuses: new Map(),
     poses: new Map(),
     alarms: new Map(),
+    weather: null,
+    vessels: [],
     actions: [],
     said: [],
     frame: null,
@@ -96,15 +101,12 @@ export function tell(session: Session, message: Json): boolean {
       if (status !== null) take_status(session, status);
       return true;
     }
-    case 'alarm': {
-      const alarm = read.read_alarm(message);
-      if (alarm !== null) {
-        const key = `${alarm.vehicle} ${alarm.with}`;
-        if (is_clear(alarm.level)) session.alarms.delete(key);
-        else session.alarms.set(key, alarm);
-      }
+    case 'weather':
+      session.weather = read_weather(message);
       return true;
-    }
+    case 'traffic':
+      session.vessels = read_vessels(message.vessels);
+      return true;
     case 'action': {
       const action = read.read_action(read.as_object(message.action) ?? message);
       if (action !== null) add_action(session, action);
@@ -136,13 +138,8 @@ function take_status(session: Session, status: Status): void {
     if (alarm.vehicle === status.vehicle && !standing.has(key)) session.alarms.delete(key);
   }
   for (const [key, alarm] of standing) {
-    const known = session.alarms.get(key) ?? { vehicle: status.vehicle, cpa_m: null, cpa_s: null };
-    session.alarms.set(key, { ...known, ...alarm });
+    session.alarms.set(key, { vehicle: status.vehicle, ...alarm });
   }
-}
-
-function is_clear(level: string): boolean {
-  return level === '' || level === 'none' || level === 'clear' || level === '0';
 }
 
 function welcome(session: Session, message: Json): void {
@@ -161,6 +158,8 @@ function welcome(session: Session, message: Json): void {
   session.seats = new Map(read.read_seats(message.seats).map((it) => [it.seat, it]));
   session.run = read.read_run(read.as_object(message.run) ?? {});
   session.helms = new Map(read.read_helms(message.helms).map((it) => [it.vehicle, it]));
+  session.weather = read_weather(message.weather);
+  session.vessels = read_vessels(read.as_object(message.traffic)?.vessels);
   // What a welcome does not carry is told anew after it: the old is of a link that is gone.
   session.poses.clear();
   session.statuses.clear();

@@ -7,7 +7,8 @@ import type { Session } from '../session/state';
 import { Camera, round_below, type Pixel, type Plane } from './camera';
 import { arrow, circle, label, line, type Context } from './draw';
 import type { Tracks } from './tracks';
-import { draw_vehicle } from './vehicle_shape';
+import { draw_traffic, draw_zones } from './traffic_view';
+import { draw_camera, draw_vehicle } from './vehicle_shape';
 
 const CURRENT_PIXELS_PER_M_S = 50;
 
@@ -138,6 +139,8 @@ export class PlanView {
       if (!(is_chosen && what.draft !== null))
         this.draw_way(context, way, is_chosen ? c.accent : c.quiet, false);
     }
+    draw_zones(context, camera, session);
+    draw_traffic(context, camera, session, what.speed_unit);
     if (what.draft !== null) this.draw_draft(context, what.draft);
 
     for (const vehicle of session.vehicles.values()) {
@@ -162,6 +165,8 @@ export class PlanView {
         const [right, down] = [pose.current_east_m_s * pixels, -pose.current_north_m_s * pixels];
         arrow(context, at, right, down, c.water, 2.5);
       }
+      const camera_now = session.statuses.get(vehicle.vehicle)?.camera ?? null;
+      if (is_chosen && camera_now !== null) draw_camera(context, at, pose.heading_rad, camera_now);
       // Its lean: where the top of a mast would be, seen from above.
       const [ahead, right] = [-Math.sin(pose.pitch_rad), Math.sin(pose.roll_rad)];
       const [s, k] = [Math.sin(pose.heading_rad), Math.cos(pose.heading_rad)];

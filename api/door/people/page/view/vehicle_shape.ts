@@ -1,9 +1,37 @@
 // A vehicle from above. Kinds are told apart by their shape, not by a colour.
 import { colours } from '../look/palette';
 import { line, type Context } from './draw';
+import type { CameraPointing } from '../session/message';
 import type { Pixel } from './camera';
 
 const LEAST_LENGTH_PX = 20;
+const CAMERA_REACH_PX = 60;
+/** Of a camera that is not zoomed: as wide as those of small ROVs see under water. */
+const CAMERA_FIELD_RAD = 1.117;
+
+/** Where its camera looks: a wedge as wide as its picture, shorter as it looks up or down. */
+export function draw_camera(
+  context: Context,
+  at: Pixel,
+  heading_rad: number,
+  camera: CameraPointing,
+): void {
+  const { accent } = colours();
+  const middle_rad = heading_rad + (camera.pan_deg * Math.PI) / 180;
+  const half_rad = Math.atan(Math.tan(CAMERA_FIELD_RAD / 2) / camera.zoom);
+  const reach = CAMERA_REACH_PX * Math.max(0.25, Math.cos((camera.tilt_deg * Math.PI) / 180));
+  const edge = (angle_rad: number): Pixel => ({
+    x: at.x + reach * Math.sin(angle_rad),
+    y: at.y - reach * Math.cos(angle_rad),
+  });
+  line(
+    context,
+    [at, edge(middle_rad - half_rad), edge(middle_rad + half_rad), at],
+    accent,
+    1.2,
+    [4, 3],
+  );
+}
 
 export function draw_vehicle(
   context: Context,

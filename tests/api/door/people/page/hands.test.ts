@@ -39,7 +39,9 @@ test('NumbersAreAboveTheSeatsLastAsTheWelcomeTellsIt', () => {
 });
 
 test('AStickIsValidFor400MillisecondsOfTheSessionsClock', () => {
-  assert.equal(new CommandNumbers().stamp(12_345.7, STICK_IS_VALID_MS)!.until, 12_745);
+  const stamp = new CommandNumbers().stamp(12_345.7, STICK_IS_VALID_MS)!;
+  assert.equal(stamp.at, 12_345);
+  assert.equal(stamp.until, 12_745);
 });
 
 test('WithoutAClockNoCommandIsStamped', () => {

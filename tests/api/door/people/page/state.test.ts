@@ -4,7 +4,9 @@ import { test } from 'node:test';
 import { shaped_text, stick_speed_m_s } from 'page/drive/shaped';
 import { read_answer, type Json } from 'page/session/message';
 import { empty_session, has_helm, show_frame, tell, type Session } from 'page/session/state';
+import { camera_text } from 'page/panel/camera_panel';
 import { helm_words } from 'page/panel/helm_panel';
+import { farm_text, led_text } from 'page/panel/weather_panel';
 import type { Frame, Pose } from 'page/session/frame';
 
 const WELCOME: Json = {
@@ -59,7 +61,7 @@ test('AWelcomeIsTakenAndWhatIsNotKnownInItIsLeftOut', () => {
 test('AMessageOfAnUnknownKindChangesNothing', () => {
   const session = seated();
   const before = structuredClone(session);
-  assert.equal(tell(session, { is: 'weather', wind: 12 }), false);
+  assert.equal(tell(session, { is: 'horoscope', mood: 12 }), false);
   assert.deepEqual(session, before);
 });
 
@@ -165,44 +167,21 @@ test('AnOlderFrameIsNotShown', () => {
   assert.equal(session.poses.get(0)?.east_m, 7);
 });
 
-test('AnAlarmGoesWhenItsLevelIsNone', () => {
-  const session = seated();
-  tell(session, {
-    is: 'alarm',
-    vehicle: 0,
-    with: 'Aurora',
-    level: 'warning',
-    cpa_m: 100,
-    cpa_s: 60,
-  });
-  assert.equal(session.alarms.size, 1);
-  tell(session, { is: 'alarm', vehicle: 0, with: 'Aurora', level: null });
-  assert.equal(session.alarms.size, 0);
-});
-
 test('AStatusThatListsItsAlarmsEndsThoseItNoLongerHas', () => {
   const session = seated();
-  tell(session, {
-    is: 'alarm',
-    vehicle: 0,
-    with: 'MMSI 219',
-    level: 'close',
-    cpa_m: 40,
-    cpa_s: 60,
-  });
   tell(session, {
     is: 'status',
     vehicle: 0,
     halt: 'none',
     alarms: [
-      { mmsi: 219, is_lost: false },
+      { mmsi: 219, name: 'Aurora', is_lost: false, cpa_m: 40, cpa_s: 60 },
       { mmsi: 220, is_lost: true },
     ],
   });
   assert.deepEqual(
     [...session.alarms.values()].map((it) => [it.with, it.level, it.cpa_m]),
     [
-      ['MMSI 219', 'close', 40],
+      ['Aurora', 'close', 40],
       ['MMSI 220', 'lost from sight', null],
     ],
   );
@@ -267,4 +246,49 @@ test('AnAnswerSaysWhatWasShaped', () => {
     with_vehicle,
     "slowed to the vehicle's 0.5 m/s, kept 3.0 m off, kept inside the fence",
   );
+});
+
+test('TheWeatherAndWhoPassesByAreThoseOfTheLastMessage', () => {
+  const session = seated();
+  assert.equal(session.weather, null);
+  tell(session, {
+    is: 'weather',
+    wind_m_s: 12,
+    wind_from_deg: 270,
+    hub_wind_m_s: 14.5,
+    led: ['wind', 'water_visibility'],
+    led_by: 'Sue',
+    settles_in_s: 42,
+    farm: { power_w: 3.21e6, rated_w: 1e7, turbines: 2 },
+  });
+  const { weather } = session;
+  assert.ok(weather !== null && weather.farm !== null);
+  assert.equal(weather.waves_m, null);
+  assert.equal(led_text(weather), 'Led by Sue: wind, water visibility. It is so in 42 s.');
+  assert.equal(
+    farm_text(weather.farm, weather, 'm/s'),
+    '3.2 MW of 10 MW (32 %), 2 turbines at 14.5 m/s',
+  );
+  assert.equal(
+    led_text({ led: [], led_by: '', settles_in_s: 5 }),
+    'The weather goes back to the run\u2019s own. It is so in 5 s.',
+  );
+  tell(session, {
+    is: 'traffic',
+    vessels: [{ mmsi: 211, name: '', east_m: 5, north_m: 6 }, { mmsi: 212 }, 'nonsense'],
+  });
+  assert.deepEqual(
+    session.vessels.map((it) => [it.name, it.course_deg, it.speed_m_s]),
+    [['MMSI 211', null, 0]],
+  );
+  tell(session, { is: 'traffic', vessels: [] });
+  assert.equal(session.vessels.length, 0);
+});
+
+test('WhereACameraLooksIsSaidInWords', () => {
+  const words = (pan_deg: number, tilt_deg: number): string =>
+    camera_text({ pan_deg, tilt_deg, zoom: 1 });
+  assert.equal(words(0, 0), 'Looks straight ahead, level, zoom 1.0.');
+  assert.equal(words(-30, 45), 'Looks 30\u00b0 to port, 45\u00b0 up, zoom 1.0.');
+  assert.equal(words(90, -90), 'Looks 90\u00b0 to starboard, 90\u00b0 down, zoom 1.0.');
 });

@@ -1,0 +1,76 @@
+// What is around the vehicles: the weather at the origin of the run, and who passes by.
+import { as_list, as_number, as_object, as_text, type Json } from './message';
+
+export interface Weather {
+  wind_m_s: number | null;
+  wind_from_deg: number | null;
+  hub_wind_m_s: number | null;
+  waves_m: number | null;
+  waves_period_s: number | null;
+  waves_from_deg: number | null;
+  current_m_s: number | null;
+  current_to_deg: number | null;
+  visibility_m: number | null; // nothing: nobody says
+  water_visibility_m: number | null;
+  led: string[]; // by name: wind, waves, current, visibility, water_visibility
+  led_by: string;
+  settles_in_s: number;
+  farm: { power_w: number; rated_w: number; turbines: number } | null;
+}
+
+export interface Vessel {
+  mmsi: string;
+  name: string;
+  east_m: number;
+  north_m: number;
+  course_deg: number | null;
+  speed_m_s: number;
+  length_m: number | null;
+}
+
+export function read_weather(value: unknown): Weather | null {
+  const it = as_object(value);
+  if (it === null) return null;
+  const farm = as_object(it.farm);
+  return {
+    wind_m_s: as_number(it.wind_m_s),
+    wind_from_deg: as_number(it.wind_from_deg),
+    hub_wind_m_s: as_number(it.hub_wind_m_s),
+    waves_m: as_number(it.waves_m),
+    waves_period_s: as_number(it.waves_period_s),
+    waves_from_deg: as_number(it.waves_from_deg),
+    current_m_s: as_number(it.current_m_s),
+    current_to_deg: as_number(it.current_to_deg),
+    visibility_m: as_number(it.visibility_m),
+    water_visibility_m: as_number(it.water_visibility_m),
+    led: as_list(it.led).map(as_text),
+    led_by: as_text(it.led_by),
+    settles_in_s: as_number(it.settles_in_s) ?? 0,
+    farm: farm && {
+      power_w: as_number(farm.power_w) ?? Number.NaN,
+      rated_w: as_number(farm.rated_w) ?? Number.NaN,
+      turbines: as_number(farm.turbines) ?? 0,
+    },
+  };
+}
+
+export function read_vessels(value: unknown): Vessel[] {
+  const made: Vessel[] = [];
+  for (const one of as_list(value)) {
+    const it: Json | null = as_object(one);
+    const east_m = as_number(it?.east_m);
+    const north_m = as_number(it?.north_m);
+    if (it === null || east_m === null || north_m === null) continue;
+    const mmsi = as_text(it.mmsi);
+    made.push({
+      mmsi,
+      name: as_text(it.name) || `MMSI ${mmsi}`,
+      east_m,
+      north_m,
+      course_deg: as_number(it.course_deg),
+      speed_m_s: as_number(it.speed_m_s) ?? 0,
+      length_m: as_number(it.length_m),
+    });
+  }
+  return made;
+}
