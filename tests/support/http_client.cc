@@ -40,7 +40,7 @@ HttpReply parse_head(const std::string& head) {
 
 }  // namespace
 
-HttpClient::HttpClient(std::uint16_t port, int receive_buffer_bytes)
+HttpClient::HttpClient(const ServerPlace& place, int receive_buffer_bytes)
     : descriptor_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   if (receive_buffer_bytes > 0) {
     ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &receive_buffer_bytes,
@@ -48,11 +48,11 @@ HttpClient::HttpClient(std::uint16_t port, int receive_buffer_bytes)
   }
   sockaddr_in address{};
   address.sin_family = AF_INET;
-  address.sin_port = htons(port);
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_port = htons(place.port);
+  ::inet_pton(AF_INET, place.address, &address.sin_addr);
   if (::connect(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     ::close(descriptor_);
-    throw std::runtime_error("cannot connect to port " + std::to_string(port));
+    throw std::runtime_error("cannot connect to port " + std::to_string(place.port));
   }
 }
 

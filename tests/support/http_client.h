@@ -20,12 +20,20 @@ struct HttpReply {
   }
 };
 
-/// A TCP connection to 127.0.0.1 that sends what it is told to, right or wrong, and reads answers
+/// Where a server listens: a port, of this machine unless told otherwise.
+struct ServerPlace {
+  ServerPlace(std::uint16_t port, const char* address = "127.0.0.1")  // NOLINT: mostly a port
+      : port(port), address(address) {}
+  std::uint16_t port;
+  const char* address;  ///< IPv4
+};
+
+/// A TCP connection that sends what it is told to, right or wrong, and reads answers
 /// by their Content-Length. Plain POSIX, so that nothing of the server's library tests itself.
 class HttpClient {
  public:
   /// @param receive_buffer_bytes  0: the system's
-  explicit HttpClient(std::uint16_t port, int receive_buffer_bytes = 0);
+  explicit HttpClient(const ServerPlace& place, int receive_buffer_bytes = 0);
   ~HttpClient();
   HttpClient(HttpClient&& other) noexcept;
   HttpClient(const HttpClient&) = delete;
@@ -37,6 +45,8 @@ class HttpClient {
   /// The next answer; nothing where the connection ends or `within` passes first.
   [[nodiscard]] std::optional<HttpReply> receive(
       bool has_body = true, std::chrono::milliseconds within = std::chrono::seconds(20));
+  /// Puts bytes back that were read too early.
+  void unread(const std::string& bytes) { received_.insert(0, bytes); }
   /// The next bytes, whatever they are.
   [[nodiscard]] std::optional<std::string> receive_bytes(std::size_t count,
                                                          std::chrono::milliseconds within);

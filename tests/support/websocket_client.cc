@@ -32,10 +32,10 @@ std::string client_frame(std::uint8_t first_byte, std::string_view payload, bool
   return frame;
 }
 
-WebSocketClient::WebSocketClient(std::uint16_t port, const std::string& path,
+WebSocketClient::WebSocketClient(const ServerPlace& place, const std::string& path,
                                  const std::string& protocols, const std::string& field_lines,
                                  int receive_buffer_bytes)
-    : connection_(port, receive_buffer_bytes) {
+    : connection_(place, receive_buffer_bytes) {
   std::string request = "GET " + path + " HTTP/1.1\r\nHost: localhost\r\n";
   request += "Connection: keep-alive, Upgrade\r\nUpgrade: websocket\r\n";
   request += "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
@@ -48,10 +48,17 @@ WebSocketClient::WebSocketClient(std::uint16_t port, const std::string& path,
 
 std::optional<ReceivedFrame> WebSocketClient::receive(std::chrono::milliseconds within) {
   const auto until = std::chrono::steady_clock::now() + within;
+  // Whole or not at all: over a slow link a part of a frame comes by itself.
+  std::string taken;
   const auto next = [&](std::size_t count) {
     const auto left = until - std::chrono::steady_clock::now();
-    return connection_.receive_bytes(count,
-                                     std::chrono::duration_cast<std::chrono::milliseconds>(left));
+    auto bytes = connection_.receive_bytes(
+        count, std::chrono::duration_cast<std::chrono::milliseconds>(left));
+    if (bytes)
+      taken += *bytes;
+    else
+      connection_.unread(taken);
+    return bytes;
   };
   const auto head = next(2);
   if (!head) return std::nullopt;

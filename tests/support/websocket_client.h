@@ -27,14 +27,14 @@ struct ReceivedFrame {
 [[nodiscard]] std::string client_frame(std::uint8_t first_byte, std::string_view payload,
                                        bool is_masked = true);
 
-/// A WebSocket to 127.0.0.1 made by hand, so that nothing of the server tests itself. It answers no
+/// A WebSocket made by hand, so that nothing of the server tests itself. It answers no
 /// pings unless told to.
 class WebSocketClient {
  public:
   /// Shakes hands; see `handshake` for the answer.
   /// @param protocols    the client's list, "" for no such field
   /// @param field_lines  further ones, each ended by CRLF
-  WebSocketClient(std::uint16_t port, const std::string& path, const std::string& protocols,
+  WebSocketClient(const ServerPlace& place, const std::string& path, const std::string& protocols,
                   const std::string& field_lines = {}, int receive_buffer_bytes = 0);
 
   [[nodiscard]] const HttpReply& handshake() const noexcept { return handshake_; }

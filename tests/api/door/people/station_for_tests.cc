@@ -32,8 +32,13 @@ SessionUnderWay::SessionUnderWay(const std::string& yaml, Choice choice)
   people::add_routes(router, session_);
   api::http::ServerOptions options;
   options.read_only = true;
+  options.address = choice.address;
   server_ = std::make_unique<api::http::Server>(options, router);
-  server_->start();
+  const auto start = [this] { server_->start(); };
+  if (choice.where)
+    choice.where(start);
+  else
+    start();
   std::promise<void> ready;
   run_ = std::thread([this, yaml, also = std::move(choice.also), &ready] {
     const twin::Scenario scenario = twin::parse_scenario(yaml, "test.yaml");
@@ -64,10 +69,10 @@ const api::ScenarioResult& SessionUnderWay::ended() {
   return *result_;
 }
 
-StationClient::StationClient(std::uint16_t port, const std::string& token,
+StationClient::StationClient(const ServerPlace& place, const std::string& token,
                              const std::string& field_lines)
-    : socket_(port, "/sessions/run/socket", "slackwater.session.v1, bearer." + token, field_lines) {
-}
+    : socket_(place, "/sessions/run/socket", "slackwater.session.v1, bearer." + token,
+              field_lines) {}
 
 int StationClient::says(json message) {
   message["id"] = next_id_;

@@ -24,6 +24,9 @@ class SessionUnderWay {
     double real_time_factor = 1;
     people::TokenBook book = people::TokenBook::drawn(UtcTime::max());
     std::function<void(const api::RunInHand&)> also{};
+    std::string address = "127.0.0.1";
+    /// Does the work where the server shall listen; absent: here.
+    std::function<void(const std::function<void()>&)> where{};
   };
   explicit SessionUnderWay(const std::string& yaml) : SessionUnderWay(yaml, Choice{}) {}
   SessionUnderWay(const std::string& yaml, Choice choice);
@@ -52,7 +55,8 @@ class StationClient {
   StationClient(const SessionUnderWay& session, const std::string& token,
                 const std::string& field_lines = {})
       : StationClient(session.port(), token, field_lines) {}
-  StationClient(std::uint16_t port, const std::string& token, const std::string& field_lines = {});
+  StationClient(const ServerPlace& place, const std::string& token,
+                const std::string& field_lines = {});
 
   [[nodiscard]] int status() const { return socket_.handshake().status; }
   [[nodiscard]] const HttpReply& handshake() const { return socket_.handshake(); }

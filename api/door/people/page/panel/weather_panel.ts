@@ -157,10 +157,10 @@ export function farm_text(
   unit: Parameters<typeof speed_text>[1],
 ): string {
   const share = Math.round((100 * farm.power_w) / farm.rated_w);
-  return (
-    `${(farm.power_w / 1e6).toFixed(1)} MW of ${(farm.rated_w / 1e6).toFixed(0)} MW (${share} %), ` +
-    `${farm.turbines} turbines at ${speed_text(weather.hub_wind_m_s, unit)}`
-  );
+  const makes = (farm.power_w / 1e6).toFixed(1);
+  const most = (farm.rated_w / 1e6).toFixed(0);
+  const wind = speed_text(weather.hub_wind_m_s, unit);
+  return `${makes} MW of ${most} MW (${share} %), ${farm.turbines} turbines at ${wind}`;
 }
 
 export function led_text(weather: Pick<Weather, 'led' | 'led_by' | 'settles_in_s'>): string {
