@@ -5,6 +5,8 @@
 #include <mutex>
 #include <optional>
 
+#include "twin/run/awaited.h"
+
 namespace slackwater::twin {
 
 /// What people do to a run from another thread: pause it, let it make a step, go on, stop, and how
@@ -31,6 +33,9 @@ class RunControl {
   [[nodiscard]] bool may_step(std::uint64_t step, double step_s);
   /// When the step was due that was let go last; nothing: by hand, or as fast as the machine can.
   [[nodiscard]] std::optional<WallClock::time_point> due() const;
+  /// Who keeps the run from its next step: said by those that wait for another process.
+  [[nodiscard]] Awaited& awaited() noexcept { return awaited_; }
+  [[nodiscard]] const Awaited& awaited() const noexcept { return awaited_; }
 
  private:
   mutable std::mutex mutex_;
@@ -43,6 +48,7 @@ class RunControl {
   std::uint64_t first_step_ = 0;
   WallClock::time_point started_;
   std::optional<WallClock::time_point> due_;
+  Awaited awaited_;
 };
 
 }  // namespace slackwater::twin

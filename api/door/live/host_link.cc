@@ -243,17 +243,21 @@ bool HostLink::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
 
 void HostLink::wait_for_agent(std::size_t vehicle, WallTime asked_at) {
   Host& host = hosts_[vehicle];
-  std::string client;
+  std::string client, name;
   std::chrono::duration<double> left{};
   {
     const std::lock_guard lock(mutex_);
     if (host.agent.empty()) return;
     client = host.agent;
+    name = host.name;
     left = std::chrono::duration<double>(host.agent_timeout_s) -
            (std::chrono::steady_clock::now() - asked_at);
   }
   const auto is_stopped = [this] { return control_.is_stopped(); };
-  const auto asked = host.from_agent.wait(left, is_stopped);
+  const auto asked = [&] {
+    const twin::Awaited::Wait waits(control_.awaited(), "the agent of " + name + ", " + client);
+    return host.from_agent.wait(left, is_stopped);
+  }();
   if (!asked) {
     if (!is_stopped()) note_missed(vehicle);
     return;
@@ -314,15 +318,20 @@ std::optional<twin::VehicleState<double>> HostLink::ask_physics(std::size_t vehi
   // First, so that who is dropped from now on is not waited for.
   host.from_physics.ask(step.time.step);
   double timeout_s = 0;
+  std::string whom;
   {
     const std::lock_guard lock(mutex_);
     if (host.physics.empty()) return std::nullopt;
     timeout_s = host.physics_timeout_s;
+    whom = "the physics of " + host.name + ", " + host.physics;
   }
   participant_.send(host.input, dds::physics_input(step, host.name,
                                                    dds::stamp_of(place_.epoch, step.time.start_s)));
   const auto is_stopped = [this] { return control_.is_stopped(); };
-  const auto made = host.from_physics.wait(std::chrono::duration<double>(timeout_s), is_stopped);
+  const auto made = [&] {
+    const twin::Awaited::Wait waits(control_.awaited(), whom);
+    return host.from_physics.wait(std::chrono::duration<double>(timeout_s), is_stopped);
+  }();
   if (!made) {
     drop_physics(vehicle,
                  {is_stopped() ? "the run was stopped while it was asked"

@@ -53,6 +53,10 @@ json Session::run_json() const {
   json by = nullptr;
   if (state == "paused" && desk_)
     by = desk_->paused_by().empty() ? "another door" : desk_->paused_by();
+  if (state == "stalled") {
+    const std::string whom = hand_->control.awaited().whom();
+    by = whom.empty() ? "the machine" : whom;
+  }
   return {{"is", "run"}, {"state", state}, {"by", by}};
 }
 

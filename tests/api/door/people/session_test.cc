@@ -210,6 +210,32 @@ TEST_F(Session, ManyComeAndGoAndLeaveNoSeat) {
 }
 
 // Who comes before the run has begun is told so, and not shown a run without vehicles.
+TEST(SessionOfASlowRun, SaysThatItIsTheMachineThatIsSlow) {
+  std::atomic<bool> is_slow = false, is_waiting = false;
+  SessionUnderWay run(
+      two_rovs, {1, people::TokenBook::drawn(UtcTime::max()), [&](const api::RunInHand& hand) {
+                   hand.run.at_opening([&, &control = hand.control](const twin::StepTime&) {
+                     if (is_slow.exchange(false)) std::this_thread::sleep_for(3s);
+                     if (!is_waiting.exchange(false)) return;
+                     const twin::Awaited::Wait waits(control.awaited(), "a host");
+                     const twin::Awaited::Wait later(control.awaited(), "another");
+                     std::this_thread::sleep_for(3s);
+                   });
+                 }});
+  StationClient gus(run, run.token(Role::looks_on));
+  EXPECT_EQ(gus.hello("Gus")["run"]["by"], nullptr);
+  const auto state = [](const std::string& is) {
+    return [is](const json& told) { return told["state"] == is; };
+  };
+  is_slow = true;
+  EXPECT_EQ(gus.told("run", state("stalled"))["by"], "the machine");
+  EXPECT_EQ(gus.told("run", state("running"))["by"], nullptr);
+  gus.listen(500ms);  // what is slow is told by the pace of the steps before it
+  is_waiting = true;
+  EXPECT_EQ(gus.told("run", state("stalled"))["by"], "a host");
+  EXPECT_EQ(gus.told("run", state("running"))["by"], nullptr);
+}
+
 TEST(SessionBeforeItsRun, TakesNobodyYet) {
   const people::TokenBook book = people::TokenBook::drawn(UtcTime::max());
   const std::string token = book.grants()[0].token;
