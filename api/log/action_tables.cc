@@ -19,8 +19,8 @@ const auto& expected(const auto* column, const TrajectoryTable& table, const cha
 
 std::vector<TrajectoryTable> action_tables(std::span<const SessionAction> actions) {
   if (actions.empty()) return {};
-  std::vector<double> number, time, step, seat, taken;
-  std::vector<std::string> at, who, role, what, vehicle, before, after, why;
+  std::vector<double> number, time, step, seat, taken, count;
+  std::vector<std::string> at, who, role, what, vehicle, before, after, reason, why;
   for (const SessionAction& action : actions) {
     number.push_back(static_cast<double>(action.number));
     time.push_back(action.time_s);
@@ -34,14 +34,17 @@ std::vector<TrajectoryTable> action_tables(std::span<const SessionAction> action
     vehicle.push_back(action.vehicle);
     before.push_back(action.before);
     after.push_back(action.after);
+    reason.push_back(action.reason);
     why.push_back(action.why);
+    count.push_back(static_cast<double>(action.count));
   }
   return {{"action",
            {{"number", "1", "within the session", number},
             {"time", "s", "since the start of the run", time},
             {"step", "1", "of the run, the last that was made", step},
             {"seat", "1", "of the session", seat},
-            {"taken", "1", "1: it was done; 0: refused", taken}},
+            {"taken", "1", "1: it was done; 0: refused", taken},
+            {"count", "1", "at the end of sticks that followed on each other: how many", count}},
            {{"at", "UTC, on the clock of the wall", at},
             {"who", "the name of the seat", who},
             {"role", "spectator, operator or supervisor", role},
@@ -49,7 +52,8 @@ std::vector<TrajectoryTable> action_tables(std::span<const SessionAction> action
             {"vehicle", "whom it was for; empty: the run or the session", vehicle},
             {"before", "as it was", before},
             {"after", "as it became", after},
-            {"why", "it was refused", why}}}};
+            {"reason", "of a refusal", reason},
+            {"why", "it was refused, in words, or done", why}}}};
 }
 
 std::vector<SessionAction> actions_in(const ingest::TrajectoryFile& log) {
@@ -76,7 +80,9 @@ std::vector<SessionAction> actions_in(const ingest::TrajectoryFile& log) {
     action.vehicle = texts("vehicle")[i];
     action.before = texts("before")[i];
     action.after = texts("after")[i];
+    action.reason = texts("reason")[i];
     action.why = texts("why")[i];
+    action.count = static_cast<std::uint64_t>(numbers("count")[i]);
   }
   return actions;
 }

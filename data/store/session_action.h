@@ -19,7 +19,9 @@ struct SessionAction {
   std::string vehicle;  ///< its name; empty: of the run, or the session
   std::string before, after;
   bool is_taken = true;
-  std::string why;  ///< it was refused, or done where a reason was asked for
+  std::string reason;       ///< of a refusal, as twin/helm/refusal.h names it; empty: taken
+  std::string why;          ///< it was refused, or done where a reason was asked for
+  std::uint64_t count = 1;  ///< of the end of sticks that followed on each other: how many
   bool operator==(const SessionAction&) const = default;
 };
 

@@ -20,7 +20,9 @@ SessionAction action_from(const Statement& row) {
   action.before = row.text(column++);
   action.after = row.text(column++);
   action.is_taken = row.integer(column++) != 0;
+  action.reason = row.text(column++);
   action.why = row.text(column++);
+  action.count = static_cast<std::uint64_t>(row.integer(column++));
   return action;
 }
 
@@ -38,11 +40,13 @@ void insert_actions(Database& database, std::int64_t session,
   for (const SessionAction& action : actions) {
     Statement insert = database.prepare(
         "INSERT INTO session_action (session_id, number, at_ms, time_s, step, seat, who, role, "
-        "what, vehicle, was, became, taken, why) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+        "what, vehicle, was, became, taken, reason, why, count) VALUES "
+        "(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
     insert.bind_all(session, static_cast<std::int64_t>(action.number), action.at, action.time_s,
                     static_cast<std::int64_t>(action.step), std::int64_t{action.seat}, action.who,
                     action.role, action.what, action.vehicle, action.before, action.after,
-                    std::int64_t{action.is_taken}, action.why);
+                    std::int64_t{action.is_taken}, action.reason, action.why,
+                    static_cast<std::int64_t>(action.count));
     insert.run();
   }
 }
@@ -65,8 +69,8 @@ std::vector<SessionAction> select_actions(Database& database, std::int64_t sessi
                                           " is not in the store; `slackwater sessions` lists "
                                           "those that are");
   Statement select = database.prepare(
-      "SELECT number, at_ms, time_s, step, seat, who, role, what, vehicle, was, became, taken, why "
-      "FROM session_action WHERE session_id = ? ORDER BY number");
+      "SELECT number, at_ms, time_s, step, seat, who, role, what, vehicle, was, became, taken, "
+      "reason, why, count FROM session_action WHERE session_id = ? ORDER BY number");
   select.bind_all(session);
   std::vector<SessionAction> actions;
   while (select.step()) actions.push_back(action_from(select));

@@ -99,6 +99,7 @@ const Arrows& allowed_arrows_of_api() {
       {"api/show/rehearse",
        {"api/ask/rehearse", "api/json", "api/log", "api/program", "api/show/coverage",
         "api/show/report"}},
+      {"api/show/people", {"api/log"}},
       {"api/show/windows", {"api/ask/windows", "api/show/rehearse"}},
       {"api/show/decisions", {"api/ask/decisions"}},
       {"api/show/plan", {"api/ask/plan"}},
@@ -112,12 +113,13 @@ const Arrows& allowed_arrows_of_api() {
       {"api/door/dds/message", {}},
       {"api/door/dds", {"api/door/dds/message"}},
       {"api/door/live",
-       {"api/ask/run", "api/door/dds", "api/door/dds/message", "api/door/foxglove", "api/issued"}},
+       {"api/ask/run", "api/door/dds", "api/door/dds/message", "api/door/foxglove", "api/issued",
+        "api/log"}},
       {"api/door/people/wire", {}},
       {"api/door/people/page", {}},
       {"api/door/people",
        {"api/ask/run", "api/door/dds/message", "api/door/http", "api/door/live",
-        "api/door/people/page", "api/door/people/wire"}},
+        "api/door/people/page", "api/door/people/wire", "api/log"}},
       {"api/door/edr/read", {}},
       {"api/door/edr/sample", {"api/door/edr/read", "api/issued"}},
       {"api/door/edr/write",
@@ -137,8 +139,8 @@ const Arrows& allowed_arrows_of_api() {
         "api/door/foxglove", "api/door/http",    "api/door/live",     "api/door/morning",
         "api/door/people",   "api/issued",       "api/log",           "api/made_up/demo",
         "api/pipeline",      "api/program",      "api/show/coverage", "api/show/decisions",
-        "api/show/history",  "api/show/morning", "api/show/plan",     "api/show/rehearse",
-        "api/show/report",   "api/show/windows"}}};
+        "api/show/history",  "api/show/morning", "api/show/people",   "api/show/plan",
+        "api/show/rehearse", "api/show/report",  "api/show/windows"}}};
   return arrows;
 }
 

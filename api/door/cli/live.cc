@@ -135,8 +135,9 @@ void print_tokens(const people::TokenBook& book) {
                  format_utc(grant.until).c_str());
 }
 
-People open_session(const LiveArguments& arguments, const std::string& name,
-                    const Context& context) {
+/// @param recorded  where what people do is left for recordings
+People open_session(const LiveArguments& arguments, const std::string& name, const Context& context,
+                    std::shared_ptr<live::ActionPost> recorded) {
   People people;
   const bool is_drawn = arguments.people_file.empty();
   people::TokenBook book = is_drawn
@@ -151,7 +152,11 @@ People open_session(const LiveArguments& arguments, const std::string& name,
   settings.now = [&context] { return context.now(); };
   people.keeper = std::make_unique<people::ActionKeeper>(context.store_folder, name, context.now(),
                                                          tell_trouble);
-  settings.keep = [keeper = people.keeper.get()](const people::Action& row) { keeper->keep(row); };
+  settings.keep = [keeper = people.keeper.get(),
+                   recorded = std::move(recorded)](const people::Action& row) {
+    keeper->keep(row);
+    recorded->put(row);
+  };
   people.session = std::make_shared<people::Session>(std::move(settings), std::move(book));
   http::Router router;
   people::add_routes(router, people.session);
@@ -193,7 +198,10 @@ void run_live(const LiveArguments& arguments, const Context& context) {
     settings.outlets.push_back(std::make_shared<live::ViewerOutlet>(viewers.broadcast));
   }
   People people;
-  if (arguments.people_port) people = open_session(arguments, scenario.name, context);
+  if (arguments.people_port) {
+    settings.actions = std::make_shared<live::ActionPost>();
+    people = open_session(arguments, scenario.name, context, settings.actions);
+  }
   std::unique_ptr<live::LiveRun> joined;
   std::unique_ptr<Stopper> stopper;
   RunChoice choice{arguments.threads, true, arguments.factor};

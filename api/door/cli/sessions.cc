@@ -4,6 +4,7 @@
 
 #include "api/door/cli/command.h"
 #include "api/door/cli/output_file.h"
+#include "api/door/live/action_bag.h"
 #include "api/door/people/told.h"
 #include "data/store/store.h"
 #include "fields/base/csv.h"
@@ -17,18 +18,20 @@ using nlohmann::json;
 
 struct SessionsArguments {
   std::optional<std::int64_t> session;
-  std::string csv;
+  std::string csv, bag;
 };
 
 std::string csv_of(const std::vector<store::SessionAction>& actions) {
-  std::string csv = "number,at,time_s,step,seat,who,role,what,vehicle,before,after,taken,why\n";
+  std::string csv =
+      "number,at,time_s,step,seat,who,role,what,vehicle,before,after,taken,reason,why,count\n";
   for (const store::SessionAction& a : actions)
     csv += joined(std::vector<std::string>{std::to_string(a.number), format_utc(a.at),
                                            csv_cell(a.time_s), std::to_string(a.step),
                                            std::to_string(a.seat), csv_cell_of_people(a.who),
                                            a.role, csv_cell(a.what), csv_cell_of_people(a.vehicle),
                                            csv_cell(a.before), csv_cell_of_people(a.after),
-                                           a.is_taken ? "1" : "0", csv_cell(a.why)},
+                                           a.is_taken ? "1" : "0", a.reason, csv_cell(a.why),
+                                           std::to_string(a.count)},
                   ",") +
            "\n";
   return csv;
@@ -56,6 +59,7 @@ void list_sessions(store::Store& store, const Context& context) {
 void show_session(store::Store& store, const SessionsArguments& arguments, const Context& context) {
   const auto actions = store.find_actions(*arguments.session);
   if (!arguments.csv.empty()) write_text(arguments.csv, csv_of(actions));
+  if (!arguments.bag.empty()) live::write_action_bag(arguments.bag, actions);
   if (context.json) {
     json rows = json::array();
     for (const store::SessionAction& action : actions) rows.push_back(people::action_json(action));
@@ -70,10 +74,13 @@ void show_session(store::Store& store, const SessionsArguments& arguments, const
 
 void run_sessions(const SessionsArguments& arguments, const Context& context) {
   expect_output("--csv", arguments.csv, {".csv"});
-  if (!arguments.csv.empty() && !arguments.session)
+  expect_output("--bag", arguments.bag, {".mcap"});
+  if (!arguments.session && (!arguments.csv.empty() || !arguments.bag.empty())) {
+    const bool is_csv = !arguments.csv.empty();
     throw Error(ErrorKind::usage,
-                "--csv: found no session; name one, e.g. slackwater sessions 1 "
-                "--csv actions.csv");
+                formatted("{0}: found no session; name one, e.g. slackwater sessions 1 {0} {1}",
+                          is_csv ? "--csv" : "--bag", is_csv ? "actions.csv" : "actions.mcap"));
+  }
   store::Store store = store::Store::open(context.store_folder, store::OpenMode::read_only);
   if (arguments.session) return show_session(store, arguments, context);
   list_sessions(store, context);
@@ -87,6 +94,8 @@ void add_sessions(CLI::App& app, Context& context) {
       "sessions", "Live runs in which people took part, and what each of them did");
   command->add_option("session", arguments->session, "number of one; without it all are listed");
   command->add_option("--csv", arguments->csv, "what was done also as FILE.csv, a row each");
+  command->add_option("--bag", arguments->bag,
+                      "the same as a bag FILE.mcap, a message each on /slackwater/session/actions");
   command->callback([arguments, &context] { run_sessions(*arguments, context); });
 }
 

@@ -44,6 +44,7 @@ struct LiveRun::Parts {
         arbiter(hand.arbiter),
         command_door(stream, arbiter, place),
         record(hand.record, command_door),
+        actions(stream, place, settings.actions, hand.record.actions),
         punctuality(settings.real_time_factor) {
     for (const auto& outlet : settings.outlets) stream.add(outlet);
     if (settings.domain) {
@@ -116,6 +117,7 @@ struct LiveRun::Parts {
     welcome_newcomers();
     record.hand_in(run.agents(), t_s);
     command_door.speak(t_s);
+    actions.speak(t_s);
     const auto states = run.states();
     site->speak(run.seen(), t_s);
     alarms->speak(t_s);
@@ -133,6 +135,7 @@ struct LiveRun::Parts {
   Stream stream;
   CommandDoor command_door;
   RecordTeller record;
+  ActionTeller actions;
   Punctuality punctuality;
   std::unique_ptr<SitePublisher> site;
   std::unique_ptr<AlarmPublisher> alarms;
@@ -146,6 +149,7 @@ struct LiveRun::Parts {
 LiveRun::LiveRun(const api::RunInHand& hand, const LiveSettings& settings)
     : parts_(std::make_unique<Parts>(hand, settings)) {}
 LiveRun::~LiveRun() {
+  parts_->actions.finish();
   if (parts_->door) parts_->door->end_run(parts_->run.time_s());
 }
 

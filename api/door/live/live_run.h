@@ -8,6 +8,7 @@
 
 #include "api/ask/run/scenario_run.h"
 #include "api/door/dds/participant.h"
+#include "api/door/live/action_teller.h"
 #include "api/door/live/bag_commands.h"
 #include "api/door/live/host_link.h"
 #include "api/door/live/punctuality.h"
@@ -26,6 +27,7 @@ struct LiveSettings {
   std::vector<std::filesystem::path> played_commands;
   /// Recordings, viewers: told of everything besides.
   std::vector<std::shared_ptr<Outlet>> outlets;
+  std::shared_ptr<ActionPost> actions;  ///< of people who take part; null: nobody can
   /// What operators should know of. From any thread.
   std::function<void(const std::string&)> on_trouble;
   /// A vehicle joined the run, and has this name on DDS. On the thread of the run.

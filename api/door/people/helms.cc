@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "api/log/person_source.h"
 #include "fields/base/text.h"
-#include "twin/run/printable.h"
 
 namespace slackwater::people {
 namespace {
@@ -25,9 +25,7 @@ std::string_view name_of(HelmPhase state) noexcept {
   return names[static_cast<std::size_t>(state)];
 }
 
-std::string client_of(const Seat& seat) {
-  return formatted("people/{} {}", seat.number, twin::printable(seat.name));
-}
+std::string client_of(const Seat& seat) { return api::source_of_person(seat.number, seat.name); }
 
 void Helms::hold(Vehicle& vehicle, const Seat& seat, Milliseconds now) {
   vehicle.client = client_of(seat);

@@ -76,7 +76,8 @@ class Session final : public api::http::WebSocketHandler {
   void desk_work(Station& station, const StationSays& says);
   void note_stick(Station& station, const StationSays& says, const Said& said);
   void end_stick(Station& station);
-  void record(const Seat& seat, std::string what, const Said& said);
+  /// @param count  of sticks, at their end
+  void record(const Seat& seat, std::string what, const Said& said, std::uint64_t count = 1);
   void drop_seat(unsigned seat, const std::string& why);
   void tell_seats();
   void tell_helms();

@@ -5,9 +5,18 @@
 // What the record of a session keeps. With the lock held, but for `actions`.
 
 namespace slackwater::people {
+namespace {
+
+/// Whether both were taken, or refused for the same reason.
+bool is_refused_alike(const std::optional<twin::Refusal>& a,
+                      const std::optional<twin::Refusal>& b) {
+  return a.has_value() == b.has_value() && (!a || a->reason == b->reason);
+}
+
+}  // namespace
 
 /// Of a run that is over nothing more is told: its log is written.
-void Session::record(const Seat& seat, std::string what, const Said& said) {
+void Session::record(const Seat& seat, std::string what, const Said& said, std::uint64_t count) {
   if (is_over_) return;
   Action row;
   row.at = settings_.now();
@@ -21,6 +30,8 @@ void Session::record(const Seat& seat, std::string what, const Said& said) {
   row.before = said.before;
   row.after = said.refused ? said.before : said.after;
   row.is_taken = !said.refused;
+  if (said.refused) row.reason = twin::name_of(said.refused->reason);
+  row.count = count;
   row.why = said.refused ? said.refused->text : said.why;
   nlohmann::json told = action_json(record_.add(std::move(row)));
   told["is"] = "action";
@@ -30,9 +41,9 @@ void Session::record(const Seat& seat, std::string what, const Said& said) {
 void Session::note_stick(Station& station, const StationSays& says, const Said& said) {
   const Milliseconds now = clock();
   const auto vehicle = static_cast<std::size_t>(says.whole("vehicle", 0, 0xFFFF));
-  if (station.stick && (station.stick->vehicle != vehicle ||
-                        station.stick->row.is_taken == said.refused.has_value() ||
-                        station.stick->row.what != says.what()))
+  if (station.stick &&
+      (station.stick->vehicle != vehicle || station.stick->row.what != says.what() ||
+       !is_refused_alike(station.stick->refused, said.refused)))
     end_stick(station);
   if (!station.stick) {
     station.stick.emplace();
@@ -40,6 +51,7 @@ void Session::note_stick(Station& station, const StationSays& says, const Said& 
     const Seat& seat = *seats_.find(station.seat);
     record(seat, says.what(), said);
     station.stick->row = record_.all().back();
+    station.stick->refused = said.refused;
   }
   ++station.stick->count;
   station.stick->last_at = now;
@@ -54,8 +66,8 @@ void Session::end_stick(Station& station) {
   said.vehicle = stick.row.vehicle;
   said.before = stick.row.after;
   said.after = formatted("{} of them", stick.count);
-  if (!stick.row.is_taken) said.refused = twin::Refusal{{}, stick.row.why};
-  record(*seat, stick.row.what + "_end", said);
+  said.refused = stick.refused;
+  record(*seat, stick.row.what + "_end", said, stick.count);
 }
 
 std::vector<Action> Session::actions() const {

@@ -7,6 +7,7 @@
 #include "api/door/people/action.h"
 #include "api/door/people/role.h"
 #include "api/door/people/wire/frame.h"
+#include "twin/helm/refusal.h"
 
 namespace slackwater::people {
 
@@ -40,7 +41,8 @@ class Allowance {
 
 /// Sticks that follow on each other: one row of the record at their beginning, one at their end.
 struct StickRow {
-  Action row;  ///< of the last one
+  Action row;                            ///< of the first one
+  std::optional<twin::Refusal> refused;  ///< likewise
   std::uint64_t count = 0;
   Milliseconds last_at = 0;
   std::size_t vehicle = 0;

@@ -94,22 +94,6 @@ json structure_json(const twin::Structure& structure, std::size_t place) {
           {"top_m", -box.centre_m.z + box.half_size_m.z}};
 }
 
-json action_json(const Action& action) {
-  return {{"number", action.number},
-          {"at", format_utc(action.at)},
-          {"time_s", action.time_s},
-          {"step", action.step},
-          {"seat", seat_or_null(action.seat)},
-          {"who", action.who},
-          {"role", action.role},
-          {"what", action.what},
-          {"vehicle", action.vehicle.empty() ? json(nullptr) : json(action.vehicle)},
-          {"before", action.before},
-          {"after", action.after},
-          {"taken", action.is_taken},
-          {"why", action.why}};
-}
-
 json traffic_json(const Surroundings& around) {
   json vessels = json::array();
   for (const VesselNow& vessel : around.vessels) {

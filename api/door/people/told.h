@@ -4,6 +4,7 @@
 #include "api/door/people/action.h"
 #include "api/door/people/helms.h"
 #include "api/door/people/vehicle_now.h"
+#include "api/log/action_json.h"
 
 namespace slackwater::people {
 
@@ -13,7 +14,7 @@ namespace slackwater::people {
 [[nodiscard]] nlohmann::json vehicle_json(const twin::Agent& agent, std::size_t place,
                                           const VehicleNow& now);
 [[nodiscard]] nlohmann::json structure_json(const twin::Structure& structure, std::size_t place);
-[[nodiscard]] nlohmann::json action_json(const Action& action);
+using api::action_json;
 
 [[nodiscard]] nlohmann::json traffic_json(const Surroundings& around);
 /// What the turbines of the site make now.

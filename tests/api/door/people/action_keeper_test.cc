@@ -31,7 +31,9 @@ SessionAction action(std::uint64_t number) {
           "held",
           "velocity",
           number % 2 == 0,
-          "nobody has the helm"};
+          "unauthorised",
+          "nobody has the helm",
+          number};
 }
 
 TEST(ActionKeeper, FilesEachRowWhileTheSessionGoesOn) {

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/api/door/live/live_records.h"
 #include "tests/api/door/people/station_for_tests.h"
 #include "tests/support/comes_true.h"
 #include "tests/support/contains.h"
@@ -38,7 +39,7 @@ struct PeopleCommand : testing::Test {
         << ", until: 2100-01-01T00:00:00Z}\n";
     program.emplace(start_program(
         {"live", folder / "run.yaml", "--people", "0", "--people-file", folder / "people.yaml",
-         "--store", folder / "store", "--out", folder / "log.nc"},
+         "--store", folder / "store", "--out", folder / "log.nc", "--record", folder / "live.mcap"},
         {}, folder / "out", folder / "err"));
     EXPECT_TRUE(comes_true([&] { return contains_port(); }, std::chrono::seconds(60)));
   }
@@ -84,8 +85,50 @@ TEST_F(PeopleCommand, LeavesALogThatReplaysAndARecordThatIsListed) {
       slackwater({"sessions", "1", "--json", "--csv", folder / "actions.csv"});
   ASSERT_EQ(shown.exit_code, 0) << shown.err;
   EXPECT_GE(json::parse(shown.out)["actions"].size(), rows);
-  EXPECT_TRUE(contains(text_in(folder / "actions.csv"), "Ann,operator,hold,rov 1,held,hold,1,"));
+  EXPECT_TRUE(contains(text_in(folder / "actions.csv"), "Ann,operator,hold,rov 1,held,hold,1,,,1"));
   expect_refusal(slackwater({"sessions", "7"}), 4, {"session 7 is not in the store"});
+}
+
+/// What a bag tells of a session: when, and the row.
+std::vector<std::pair<std::int64_t, json>> actions_in_bag(const std::filesystem::path& path) {
+  std::vector<std::pair<std::int64_t, json>> actions;
+  for (const LiveMessage& message : messages_of(path))
+    if (message.topic == "/slackwater/session/actions")
+      // A string of CDR: its length, its letters, a zero.
+      actions.emplace_back(
+          message.log_time_ns,
+          json::parse(std::string(message.payload.begin() + 8, message.payload.end() - 1)));
+  return actions;
+}
+
+TEST_F(PeopleCommand, ABagHoldsWhatPeopleDidLiveMadeAgainAndExported) {
+  StationClient station(port, ann);
+  const std::size_t rows = drive(station);
+  station.listen(std::chrono::milliseconds(300));
+  ASSERT_EQ(program->end(SIGTERM), 0) << text_in(folder / "err");
+  ASSERT_EQ(slackwater({"sessions", "1", "--bag", folder / "actions.mcap"}).exit_code, 0);
+  const ProgramResult again =
+      slackwater({"replay", folder / "log.nc", "--record", folder / "again.mcap"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const json record = json::parse(slackwater({"sessions", "1", "--json"}).out)["actions"];
+  ASSERT_GE(record.size(), rows);
+  const auto exported = actions_in_bag(folder / "actions.mcap"),
+             live = actions_in_bag(folder / "live.mcap"),
+             made_again = actions_in_bag(folder / "again.mcap");
+  ASSERT_EQ(exported.size(), record.size());
+  ASSERT_EQ(live.size(), record.size());
+  EXPECT_EQ(made_again, live);
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    EXPECT_EQ(exported[i].second, record[i]);
+    EXPECT_EQ(live[i].second, record[i]);
+    const UtcTime at = parse_utc(record[i]["at"].get<std::string>());
+    EXPECT_EQ(exported[i].first, std::chrono::nanoseconds(at.time_since_epoch()).count());
+  }
+  expect_refusal(slackwater({"sessions", "1", "--bag", folder / "actions.mcap"}), 3,
+                 {"actions.mcap"});
+  expect_refusal(slackwater({"sessions", "1", "--bag", folder / "actions.csv"}), 2, {".mcap"});
+  expect_refusal(slackwater({"sessions", "--bag", folder / "more.mcap"}), 2,
+                 {"--bag: found no session", "sessions 1 --bag"});
 }
 
 // The server is killed: what people did until then is on record, and the store is sound.
