@@ -15,8 +15,10 @@ Scorecard scorecard_of(const ingest::TrajectoryFile& log) {
                 "the log holds no x, y and z over time; give one that `slackwater simulate` or "
                 "`rehearse --log` wrote");
   const std::optional<twin::Scenario> scenario = scenario_of(log);
-  return {log.attribute("title"), log.attribute("seed"),
-          account_in(log, scenario ? &*scenario : nullptr)};
+  const twin::Scenario* const plan = scenario ? &*scenario : nullptr;
+  Scorecard card{log.attribute("title"), log.attribute("seed"), account_in(log, plan), {}};
+  card.people = people_score_of(log, card.account, plan);
+  return card;
 }
 
 double scored_time_s(const twin::VehicleAccount& vehicle) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "api/log/people_score.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/account/vehicle_account.h"
 
@@ -15,6 +16,7 @@ struct Scorecard {
   std::string run;  ///< its title
   std::string seed;
   twin::RunAccount account;
+  PeopleScore people;  ///< of a live run in which people took part
 };
 /// @throws Error(invalid_input) for a log without positions
 [[nodiscard]] Scorecard scorecard_of(const ingest::TrajectoryFile& log);

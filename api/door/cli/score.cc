@@ -5,6 +5,8 @@
 
 #include "api/door/cli/command.h"
 #include "api/log/score.h"
+#include "api/show/people/people_score_json.h"
+#include "api/show/people/people_score_text.h"
 #include "api/show/rehearse/account_json.h"
 #include "fields/base/text.h"
 
@@ -72,6 +74,22 @@ json pooled_json(const std::vector<Scorecard>& cards) {
   return out;
 }
 
+std::vector<PersonOverRuns> people_of(const std::vector<Scorecard>& cards) {
+  std::vector<PeopleScore> runs;
+  for (const Scorecard& card : cards) runs.push_back(card.people);
+  return people_over_runs(runs);
+}
+
+void print_people(const std::vector<Scorecard>& cards) {
+  for (const Scorecard& card : cards)
+    std::fputs(people_score_text(card.run, card.people).c_str(), stdout);
+  if (cards.size() < 2) return;
+  const std::string table = people_over_runs_text(people_of(cards));
+  if (!table.empty())
+    std::printf("People over runs: mean (standard deviation) of those in which they were\n%s",
+                table.c_str());
+}
+
 std::string one_decimal(const std::optional<double>& value) {
   return value ? formatted("{:.1f}", *value) : "-";
 }
@@ -131,9 +149,12 @@ void run_score(const std::vector<std::filesystem::path>& logs, const Context& co
         with_context(log.string(), [&] { return scorecard_of(ingest::read_trajectories(log)); }));
   if (!context.json) {
     print_cards(cards);
+    print_people(cards);
     return;
   }
   json out = {{"runs", json::array()}, {"vehicles", pooled_json(cards)}};
+  const std::vector<PersonOverRuns> people = people_of(cards);
+  if (!people.empty()) out["people"] = people_over_runs_json(people);
   for (std::size_t i = 0; i < cards.size(); ++i) {
     json vehicles = json::array();
     const twin::RunAccount& account = cards[i].account;
@@ -143,6 +164,8 @@ void run_score(const std::vector<std::filesystem::path>& logs, const Context& co
                            {"run", cards[i].run},
                            {"seed", cards[i].seed},
                            {"vehicles", vehicles}});
+    if (!cards[i].people.people.empty())
+      out["runs"].back()["people"] = people_score_json(cards[i].people);
   }
   std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
 }
@@ -153,7 +176,7 @@ void add_score(CLI::App& app, Context& context) {
   auto logs = std::make_shared<std::vector<std::filesystem::path>>();
   CLI::App* command =
       app.add_subcommand("score", "The scorecard of logged runs, whatever steered their vehicles");
-  command->add_option("logs", *logs, "FILE.nc of `simulate` or `rehearse --log`")
+  command->add_option("logs", *logs, "FILE.nc of `simulate`, `live --out` or `rehearse --log`")
       ->required()
       ->expected(1, 10000);
   command->callback([logs, &context] { run_score(*logs, context); });

@@ -86,6 +86,10 @@ TEST_F(PeopleCommand, LeavesALogThatReplaysAndARecordThatIsListed) {
   ASSERT_EQ(shown.exit_code, 0) << shown.err;
   EXPECT_GE(json::parse(shown.out)["actions"].size(), rows);
   EXPECT_TRUE(contains(text_in(folder / "actions.csv"), "Ann,operator,hold,rov 1,held,hold,1,,,1"));
+  const json score = json::parse(slackwater({"score", folder / "log.nc", "--json"}).out);
+  EXPECT_EQ(score["people"][0]["name"], "Ann");
+  EXPECT_EQ(score["runs"][0]["people"]["seats"][0]["vehicles"][0]["commands"], 11);
+  EXPECT_TRUE(contains(slackwater({"score", folder / "log.nc"}).out, "11 commands taken"));
   expect_refusal(slackwater({"sessions", "7"}), 4, {"session 7 is not in the store"});
 }
 
