@@ -79,6 +79,9 @@ class Walk {
       end_request(action.vehicle, helm);
     } else if (what == "take_back" || (what == "hold" && action.role == "supervisor")) {
       if (!is_own) take_over(helm, action);
+    } else if (is_command(action) && !is_own && !what.ends_with("_end")) {
+      // Whoever is obeyed has the helm: got with a take-back whose hold was refused, say.
+      take_over(helm, action).was_taken = false;
     } else if (what.starts_with("link lost")) {
       ++history_.links_lost[{action.seat, action.vehicle}];
     }
@@ -96,10 +99,11 @@ class Walk {
     return turn;
   }
   /// With a command, so that there is no first one to wait for.
-  void take_over(Helm& helm, const SessionAction& action) {
+  HelmTurn& take_over(Helm& helm, const SessionAction& action) {
     HelmTurn& turn = begin(helm, action, action.seat);
     turn.was_taken = action.before != "free";
     turn.has_command = true;
+    return turn;
   }
   HelmTurn& begin(Helm& helm, const SessionAction& action, unsigned seat) {
     let_go(helm, action.time_s);

@@ -5,6 +5,7 @@ import json
 import pathlib
 import subprocess
 import sys
+from datetime import datetime
 from importlib.metadata import version
 
 import mcap.reader
@@ -255,6 +256,30 @@ def ours():
         expect_same(f"we, {name}", messages, IN_TIME)
 
 
+def session():
+    """The record of a session of people: a row a message, at the time at which it was done."""
+    rows = json.loads((WORK / "session.json").read_text())
+    expected = [(int(datetime.fromisoformat(row["at"]).timestamp() * 1000 + 0.5) * 1_000_000, row) for row in rows]
+    path = WORK / "session.mcap"
+    with path.open("rb") as file:
+        reader = mcap.reader.SeekingReader(
+            file, validate_crcs=True, decoder_factories=[mcap_ros2.decoder.DecoderFactory()]
+        )
+        found = []
+        for schema, channel, message, decoded in reader.iter_decoded_messages():
+            assert (schema.name, channel.topic) == ("std_msgs/msg/String", "/slackwater/session/actions"), channel
+            found.append((message.log_time, json.loads(decoded.data)))
+    assert found == expected, "mcap reads other rows"
+    found = []
+    with rosbags.rosbag2.Reader(path) as reader:
+        for connection, time_ns, data in reader.messages():
+            store = Typestore()
+            store.register(get_types_from_msg(connection.msgdef.data, connection.msgtype))
+            found.append((time_ns, json.loads(store.deserialize_cdr(data, connection.msgtype).data)))
+    assert found == expected, "rosbags reads other rows"
+    print(f"mcap and rosbags, the record of a session: {len(found)} rows are the same")
+
+
 def planted():
     """A difference of any kind is seen."""
     found = read_by_rosbags(WORK / "whole")
@@ -273,5 +298,6 @@ def planted():
 
 ours()
 theirs()
+session()
 planted()
 print(f"rosbags {version('rosbags')}, mcap {version('mcap')}, mcap-ros2-support {version('mcap-ros2-support')}")

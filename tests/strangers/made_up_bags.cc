@@ -1,5 +1,6 @@
 // made_up_bags write FOLDER: recordings of made-up levels and winds, of both kinds, whole and left
-// in the middle, and what is in them (FOLDER/expected.json).
+// in the middle, and what is in them (FOLDER/expected.json); the record of a session as a bag, and
+// its rows (FOLDER/session.json).
 // made_up_bags read RECORDING: what our reader finds in it, as JSON on standard output.
 #include <unistd.h>
 
@@ -12,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "api/door/live/action_bag.h"
+#include "api/log/action_json.h"
 #include "data/bag/bag.h"
 #include "data/bag/recording.h"
 #include "fields/base/error.h"
@@ -116,7 +119,30 @@ void record(bag::Writer& writer, const std::vector<MadeUp>& messages) {
   }
 }
 
+/// Rows with letters that JSON and CDR have to carry.
+void write_session(const std::filesystem::path& folder) {
+  std::vector<store::SessionAction> actions;
+  json rows = json::array();
+  for (std::uint64_t i = 1; i <= 100; ++i) {
+    store::SessionAction action;
+    action.number = i;
+    action.at = UtcTime(
+        std::chrono::milliseconds(start_ns / 1'000'000 + static_cast<std::int64_t>(i) * 137));
+    action.time_s = 0.05 * static_cast<double>(i);
+    action.seat = static_cast<unsigned>(1 + i % 3);
+    action.who = i % 2 == 0 ? "Zo\xC3\xAB \"Z\"" : "Ann";
+    action.role = "operator";
+    action.what = "say";
+    action.after = std::string(i, 'x') + "\\,\n";
+    rows.push_back(api::action_json(action));
+    actions.push_back(std::move(action));
+  }
+  std::ofstream(folder / "session.json") << rows;
+  live::write_action_bag(folder / "session.mcap", actions);
+}
+
 void write(const std::filesystem::path& folder) {
+  write_session(folder);
   const auto messages = made_up_messages();
   json list = json::array();
   for (const MadeUp& message : messages)

@@ -269,6 +269,16 @@ TEST(PeopleScore, ALostHelmIsGotAfterTheCountdownAndIsAnothers) {
   EXPECT_DOUBLE_EQ(helm_of(score, 2).at_helm_s, 23);
 }
 
+// A take-back whose hold is refused has taken the helm all the same.
+TEST(PeopleScore, WhoeverIsObeyedHasTheHelm) {
+  const Log log({ann.does(1, "ask", "free", "held"),
+                 sue.refused(10, "take_back", "vehicle_not_free"), sue.does(12, "home", "held")});
+  const PeopleScore score = log.scored();
+  EXPECT_DOUBLE_EQ(helm_of(score, 1).at_helm_s, 11);
+  EXPECT_DOUBLE_EQ(helm_of(score, 3).at_helm_s, 48);
+  EXPECT_EQ(helm_of(score, 3).taken_over, 1U);
+}
+
 TEST(PeopleScore, AskingInVainIsCountedAndIsNoLatency) {
   const Log log(
       {ann.is(0, "join"), bob.is(0, "join"), ann.does(1, "ask", "free", "held"),
