@@ -31,22 +31,22 @@ json spread_json(const std::vector<double>& values) {
 }
 
 /// What is counted of a limit; null where none is set.
-json counted(const std::optional<double>& limit, const json& value) {
+json if_set(const std::optional<double>& limit, const json& value) {
   return limit ? value : json(nullptr);
 }
 
 json at_limits_json(const AtLimits& at) {
   return {{"nearest_structure_m", maybe(at.nearest_structure_m)},
           {"stand_off_m", maybe(at.stand_off_m)},
-          {"stand_off_breaches", counted(at.stand_off_m, at.stand_off_breaches)},
-          {"inside_stand_off_s", counted(at.stand_off_m, at.inside_stand_off_s)},
-          {"near_stand_off_s", counted(at.stand_off_m, at.near_stand_off_s)},
+          {"stand_off_breaches", if_set(at.stand_off_m, at.stand_off_breaches)},
+          {"inside_stand_off_s", if_set(at.stand_off_m, at.inside_stand_off_s)},
+          {"near_stand_off_s", if_set(at.stand_off_m, at.near_stand_off_s)},
           {"fence_m", maybe(at.fence_m)},
-          {"fence_breaches", counted(at.fence_m, at.fence_breaches)},
-          {"outside_fence_s", counted(at.fence_m, at.outside_fence_s)},
-          {"near_fence_s", counted(at.fence_m, at.near_fence_s)},
+          {"fence_breaches", if_set(at.fence_m, at.fence_breaches)},
+          {"outside_fence_s", if_set(at.fence_m, at.outside_fence_s)},
+          {"near_fence_s", if_set(at.fence_m, at.near_fence_s)},
           {"reserve_share", maybe(at.reserve_share)},
-          {"below_reserve_s", counted(at.reserve_share, at.below_reserve_s)},
+          {"below_reserve_s", if_set(at.reserve_share, at.below_reserve_s)},
           {"limits_broken", at.limits_broken},
           {"stopped_by", at.stopped_by.empty() ? json(nullptr) : json(at.stopped_by)}};
 }

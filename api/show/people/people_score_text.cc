@@ -28,15 +28,18 @@ std::string how_had(const HelmScore& helm) {
   const std::size_t asked = helm.asked_to_had_s.size() + helm.asked_in_vain;
   if (asked > 0) {
     std::string text = "asked " + times(asked);
-    if (!helm.asked_to_had_s.empty()) text += ", had it after " + latencies(helm.asked_to_had_s);
+    if (!helm.asked_to_had_s.empty())
+      text += most_of(helm.asked_to_had_s) > 0 ? ", had it after " + latencies(helm.asked_to_had_s)
+                                               : ", had it at once";
     if (helm.asked_in_vain > 0) text += ", in vain " + times(helm.asked_in_vain);
     parts.push_back(text);
   }
   if (helm.taken_over > 0)
     parts.push_back("took it over " + times(helm.taken_over) + " by HOLD or take-back");
   if (helm.hold_in_force_s && !helm.hold_in_force_s->empty())
-    parts.push_back(formatted("its holds were in force within {:.2f} s of the run",
-                              most_of(*helm.hold_in_force_s)));
+    parts.push_back(
+        formatted("its holds were in force at most {:.2f} s of the run after they came in",
+                  most_of(*helm.hold_in_force_s)));
   if (!helm.had_to_command_s.empty())
     parts.push_back("first command " + latencies(helm.had_to_command_s) + " after it had the helm");
   if (helm.turns_without_command > 0)
@@ -47,7 +50,7 @@ std::string how_had(const HelmScore& helm) {
 }
 
 std::string how_used(const HelmScore& helm) {
-  std::string text = formatted("{} commands taken", helm.commands);
+  std::string text = counted(helm.commands, "command") + " taken";
   if (const auto rate = commands_per_minute(helm))
     text += formatted(", {:.1f} a minute at the helm", *rate);
   if (helm.refused > 0) {

@@ -90,8 +90,8 @@ struct Log {
     file.names = {"rov", "aux"};
     file.epoch = begun;
     file.t_s = {0, 10, 20, 30, 40, 50, 60};
-    // Off the pile:                17   4.5   3  4.2   3.5  17  17
-    const std::vector<double> north{20, 7.5, 6, 7.2, 6.5, 20, 20};
+    // Off the pile, m: 25, 4.5, 3, 4.2, 3.5, 5.5, 17; from home: 8, 12.5, 14, 12.8, 13.5, 11.5, 0.
+    const std::vector<double> north{28, 7.5, 6, 7.2, 6.5, 8.5, 20};
     const std::vector<double> charge{1, 1, 1, 1, 0.1, 0.1, 0.1};
     const auto add = [&](const char* name, std::vector<double> of) {
       of.resize(2 * file.t_s.size());
@@ -217,6 +217,8 @@ TEST(PeopleScore, CountsLimitsUnderTheHandThatWasAtTheHelm) {
   EXPECT_DOUBLE_EQ(bobs.below_reserve_s, 5);
   EXPECT_EQ(sues.stand_off_breaches, 0U);
   EXPECT_DOUBLE_EQ(sues.inside_stand_off_s, 5);
+  EXPECT_DOUBLE_EQ(sues.near_stand_off_s, 0) << "5.5 m is more than a quarter beyond 4 m";
+  EXPECT_DOUBLE_EQ(sues.near_fence_s, 10) << "11.5 m of 13 m";
   EXPECT_NEAR(*sues.nearest_structure_m, 3.5, 1e-12);
   EXPECT_DOUBLE_EQ(sues.below_reserve_s, 15);
 }
@@ -333,9 +335,12 @@ TEST(PeopleScore, ReadsAsItIsMeant) {
        {"People of test (limits by positions 10 s apart: what is between two is not seen)",
         "Ann, operator, seat 1", "rov: at the helm once for 0.3 min of the run, 33 % of it",
         "asked once, had it after 5.0 s; first command 3.0 s after it had the helm",
+        "asked once, had it at once; first command 1.5 s after it had the helm",
+        "1 command taken, 3.0 a minute at the helm\n",
         "10 commands taken, 30.0 a minute at the helm; 5 refused (33.3 %): 1 not_finite, 4 stale; "
         "took it off its own mission once",
-        "took it over once by HOLD or take-back; its holds were in force within 0.20 s of the run",
+        "took it over once by HOLD or take-back; its holds were in force at most 0.20 s of "
+        "the run after they came in",
         "nearest structure 3.0 m; nearer than its stand-off of 4 m once, 5.0 s in all, 10.0 s "
         "within a quarter beyond it; outside its fence of 13 m once, 5.0 s in all",
         "by supervisors: off its own mission never, off another's helm once"})

@@ -108,7 +108,8 @@ std::vector<std::pair<std::int64_t, json>> actions_in_bag(const std::filesystem:
 TEST_F(PeopleCommand, ABagHoldsWhatPeopleDidLiveMadeAgainAndExported) {
   StationClient station(port, ann);
   const std::size_t rows = drive(station);
-  station.listen(std::chrono::milliseconds(300));
+  station.listen(std::chrono::milliseconds(500));
+  EXPECT_EQ(station.asks(station.command("home", 0))["taken"], true);
   ASSERT_EQ(program->end(SIGTERM), 0) << text_in(folder / "err");
   ASSERT_EQ(slackwater({"sessions", "1", "--bag", folder / "actions.mcap"}).exit_code, 0);
   const ProgramResult again =
@@ -121,10 +122,14 @@ TEST_F(PeopleCommand, ABagHoldsWhatPeopleDidLiveMadeAgainAndExported) {
              made_again = actions_in_bag(folder / "again.mcap");
   ASSERT_EQ(exported.size(), record.size());
   ASSERT_EQ(live.size(), record.size());
+  EXPECT_GT(record.back()["time_s"].get<double>(), 0);
   EXPECT_EQ(made_again, live);
   for (std::size_t i = 0; i < record.size(); ++i) {
     EXPECT_EQ(exported[i].second, record[i]);
     EXPECT_EQ(live[i].second, record[i]);
+    // The run's own time, from the start that water without a date has.
+    EXPECT_NEAR(static_cast<double>(live[i].first - 946'684'800'000'000'000),
+                1e9 * record[i]["time_s"].get<double>(), 1'000);
     const UtcTime at = parse_utc(record[i]["at"].get<std::string>());
     EXPECT_EQ(exported[i].first, std::chrono::nanoseconds(at.time_since_epoch()).count());
   }
