@@ -93,14 +93,20 @@ Exchange::Exchange(const ServerOptions& options, const Handler& handler)
   for (const std::string& field : options.exposed_fields) exposed_fields_ += ", " + field;
 }
 
-std::string Exchange::allowed_methods() const {
-  return options_.read_only ? "GET, HEAD, OPTIONS" : "GET, HEAD, OPTIONS, POST";
+/// By whoever shows what its guard wants to see.
+bool Exchange::may_be_written_to(const Request& request) const {
+  return !options_.read_only || (options_.guards_itself && options_.guards_itself(request));
 }
 
-Response Exchange::options_response() const {
+std::string Exchange::allowed_methods(const Request& request) const {
+  return may_be_written_to(request) ? "GET, HEAD, OPTIONS, POST" : "GET, HEAD, OPTIONS";
+}
+
+/// Scripts of other origins may read alone.
+Response Exchange::options_response(const Request& request) const {
   Response response;
   response.status = 204;
-  response.headers = {{"Allow", allowed_methods()},
+  response.headers = {{"Allow", allowed_methods(request)},
                       {"Access-Control-Allow-Methods", "GET, HEAD, OPTIONS"},
                       {"Access-Control-Allow-Headers", "Accept, Content-Type, If-None-Match"},
                       {"Access-Control-Max-Age", preflight_seconds}};
@@ -124,13 +130,14 @@ Outcome Exchange::respond(Arrival& arrival) const {
                    request.path);
   }
   to_origin_form(request);
-  if (request.method == "OPTIONS") return options_response();
-  if (!reads(request.method) && (options_.read_only || request.method != "POST")) {
-    Response refused = problem(
-        405,
-        "The method " + request.method + " is not served; use one of " + allowed_methods() + ".",
-        request.path);
-    refused.headers.emplace_back("Allow", allowed_methods());
+  if (request.method == "OPTIONS") return options_response(request);
+  const bool is_post = request.method == "POST";
+  if (!reads(request.method) && (!is_post || !may_be_written_to(request))) {
+    const std::string allowed = allowed_methods(request);
+    Response refused =
+        problem(405, "The method " + request.method + " is not served; use one of " + allowed + ".",
+                request.path);
+    refused.headers.emplace_back("Allow", allowed);
     return refused;
   }
   if (!request.path.starts_with('/')) {
@@ -138,7 +145,8 @@ Outcome Exchange::respond(Arrival& arrival) const {
                    "");
   }
   request.is_trusted = is_trusted(options_.token, arrival);
-  if (!reads(request.method) && !request.is_trusted) {
+  const bool is_guarded = options_.guards_itself && options_.guards_itself(request);
+  if (!reads(request.method) && !is_guarded && !request.is_trusted) {
     Response refused = problem(401,
                                "Writing needs 'Authorization: Bearer <token>', or a client on "
                                "the server's own machine.",

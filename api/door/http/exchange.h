@@ -73,8 +73,9 @@ class Exchange {
   [[nodiscard]] Reply reply_to(const Arrival& arrival, Response response) const;
   [[nodiscard]] Reply finish(Response response, const Arrival& arrival) const;
   [[nodiscard]] Reply reply_to_upgrade(const Arrival& arrival, const Response& response) const;
-  [[nodiscard]] std::string allowed_methods() const;
-  [[nodiscard]] Response options_response() const;
+  [[nodiscard]] bool may_be_written_to(const Request& request) const;
+  [[nodiscard]] std::string allowed_methods(const Request& request) const;
+  [[nodiscard]] Response options_response(const Request& request) const;
   void log(const Response& response, const Request& request) const;
 
   const ServerOptions& options_;

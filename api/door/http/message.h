@@ -19,6 +19,7 @@ struct Request {
   std::string query;          ///< as sent, without the '?'
   std::string host;           ///< Host header, "" where absent
   std::string accept;         ///< Accept header
+  std::string content_type;   ///< Content-Type header: of the body
   std::string authorization;  ///< Authorization header
   std::string origin;         ///< Origin header: of the page that sent it; "" of what is no page
   std::string protocols;      ///< Sec-WebSocket-Protocol: those that are offered, as sent

@@ -8,7 +8,7 @@
 namespace slackwater::api::http {
 namespace {
 
-constexpr std::array<std::pair<int, std::string_view>, 27> reasons{{
+constexpr std::array<std::pair<int, std::string_view>, 29> reasons{{
     {101, "Switching Protocols"},
     {200, "OK"},
     {201, "Created"},
@@ -26,6 +26,8 @@ constexpr std::array<std::pair<int, std::string_view>, 27> reasons{{
     {405, "Method Not Allowed"},
     {406, "Not Acceptable"},
     {408, "Request Timeout"},
+    {409, "Conflict"},
+    {410, "Gone"},
     {413, "Content Too Large"},
     {414, "URI Too Long"},
     {415, "Unsupported Media Type"},

@@ -60,6 +60,7 @@ Arrival arrival_of(Parser& parser) {
   if (question != std::string::npos) request.query = target.substr(question + 1);
   request.host = text_of(message[field::host]);
   request.accept = list_of(message, field::accept);
+  request.content_type = list_of(message, field::content_type);
   request.body = std::move(message.body());
   arrival.is_http_1_1 = message.version() >= 11;
   arrival.keep_alive = message.keep_alive();

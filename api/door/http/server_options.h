@@ -53,6 +53,9 @@ struct ServerOptions {
   std::size_t threads = 2;
   std::optional<std::string> token;  ///< `Authorization: Bearer <token>` may write from afar
   bool read_only = false;            ///< POST is refused too
+  /// Requests whose handler decides by itself who may write, by tokens of its own: neither `token`
+  /// nor `read_only` is asked about them. Empty: none. Called from any thread, must not throw.
+  std::function<bool(const Request&)> guards_itself;
   /// Fields of the handlers' own that scripts of other origins may read, beside the usual ones.
   std::vector<std::string> exposed_fields;
   Limits limits;

@@ -38,6 +38,12 @@ bool is_trusted(const std::optional<std::string>& token, const Arrival& arrival)
          is_loopback_host(arrival.request.host);
 }
 
+bool is_of_own_origin(const Request& request) {
+  const std::string& origin = request.origin;
+  return origin.empty() || origin == "http://" + request.host ||
+         origin == "https://" + request.host;
+}
+
 std::string_view bearer_of(std::string_view authorization) noexcept {
   constexpr std::string_view scheme = "bearer ";
   if (authorization.size() <= scheme.size()) return {};

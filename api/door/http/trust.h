@@ -13,6 +13,9 @@ namespace slackwater::api::http {
 /// Origin are looked at).
 [[nodiscard]] bool is_trusted(const std::optional<std::string>& token, const Arrival& arrival);
 
+/// A page of this server, or what is no page: no script of another origin made a browser ask.
+[[nodiscard]] bool is_of_own_origin(const Request& request);
+
 /// The token of "Bearer TOKEN"; "" of anything else.
 [[nodiscard]] std::string_view bearer_of(std::string_view authorization) noexcept;
 

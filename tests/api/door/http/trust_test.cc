@@ -110,5 +110,26 @@ TEST(Trust, AServerThatOthersReachWantsATokenOrWritesNothing) {
   EXPECT_EQ(reply->field("allow"), "GET, HEAD, OPTIONS");
 }
 
+// Of a server that writes nothing else, and whatever the machine that asks.
+TEST(Trust, WhatGuardsItselfIsWrittenToWithoutTheServersToken) {
+  ServerOptions options;
+  options.read_only = true;
+  options.guards_itself = [](const Request& request) { return request.path == "/write"; };
+  Router router = example_router();
+  router.add("POST", "/other", [](const Request&) { return text_response("written"); });
+  const Served served(router, options);
+  HttpClient client = served.client();
+  const auto sent = [&](const std::string& line) {
+    EXPECT_TRUE(client.send(line + " HTTP/1.1\r\nHost: far.example\r\nForwarded: for=1.2.3.4\r\n"
+                                   "Content-Length: 0\r\n\r\n"));
+    return client.receive();
+  };
+  EXPECT_EQ(sent("POST /write")->status, 200);
+  for (const char* const other : {"POST /other", "POST /write/", "POST /%77rite", "PUT /write"})
+    EXPECT_EQ(sent(other)->status, 405) << other;
+  EXPECT_EQ(sent("OPTIONS /write")->field("allow"), "GET, HEAD, OPTIONS, POST");
+  EXPECT_EQ(sent("OPTIONS /other")->field("allow"), "GET, HEAD, OPTIONS");
+}
+
 }  // namespace
 }  // namespace slackwater::tests::trust_test
