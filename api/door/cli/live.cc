@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "api/ask/run/heard_traffic.h"
+#include "api/ask/run/scenario_at_hand.h"
 #include "api/door/cli/command.h"
 #include "api/door/cli/output_file.h"
 #include "api/door/cli/recorded_run.h"
@@ -17,7 +17,7 @@
 #include "api/door/live/bag_traffic.h"
 #include "api/door/live/live_run.h"
 #include "api/door/live/viewer_outlet.h"
-#include "api/door/people/action_keeper.h"
+#include "api/door/people/kept_session.h"
 #include "api/door/people/session_routes.h"
 #include "api/show/rehearse/run_page.h"
 #include "fields/base/text.h"
@@ -122,8 +122,7 @@ Viewers open_viewers(int port, const std::string& name) {
 
 /// The session of people who take part, and its door; goes with the command.
 struct People {
-  std::unique_ptr<people::ActionKeeper> keeper;
-  std::shared_ptr<people::Session> session;
+  std::unique_ptr<people::KeptSession> session;
   std::unique_ptr<http::Server> server;
 };
 
@@ -150,16 +149,13 @@ People open_session(const LiveArguments& arguments, const std::string& name, con
   people::SessionSettings settings;
   settings.name = name;
   settings.now = [&context] { return context.now(); };
-  people.keeper = std::make_unique<people::ActionKeeper>(context.store_folder, name, context.now(),
-                                                         tell_trouble);
-  settings.keep = [keeper = people.keeper.get(),
-                   recorded = std::move(recorded)](const people::Action& row) {
-    keeper->keep(row);
+  settings.keep = [recorded = std::move(recorded)](const people::Action& row) {
     recorded->put(row);
   };
-  people.session = std::make_shared<people::Session>(std::move(settings), std::move(book));
+  people.session = std::make_unique<people::KeptSession>(std::move(settings), std::move(book),
+                                                         context.store_folder, name, tell_trouble);
   http::Router router;
-  people::add_routes(router, people.session);
+  people::add_routes(router, people.session->session());
   http::ServerOptions options;
   options.port = static_cast<std::uint16_t>(*arguments.people_port);
   options.read_only = true;  // what people do comes by the socket alone
@@ -185,10 +181,9 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   expect_output("--out", arguments.out, {".nc"});
   expect_output("--html", arguments.html, {".html"});
   Recordings recordings(arguments.recordings);
-  twin::Scenario scenario = twin::read_scenario(arguments.scenario);
-  const auto folder = std::filesystem::absolute(arguments.scenario).parent_path();
-  ScenarioWater water = water_of(scenario, context.store_folder, folder);
-  with_context(arguments.scenario.string(), [&] { add_heard_traffic(scenario, folder, water); });
+  ScenarioAtHand at_hand = scenario_at_hand(arguments.scenario, context.store_folder);
+  const twin::Scenario& scenario = at_hand.scenario;
+  ScenarioWater& water = at_hand.water;
   if (!arguments.played_traffic.empty())
     live::add_bag_traffic(arguments.played_traffic, scenario, water);
   live::LiveSettings settings = settings_of(arguments, scenario, water);

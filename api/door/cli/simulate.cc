@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "api/ask/run/heard_traffic.h"
 #include "api/ask/run/resurvey.h"
+#include "api/ask/run/scenario_at_hand.h"
 #include "api/ask/run/scenario_run.h"
 #include "api/door/cli/command.h"
 #include "api/door/cli/output_file.h"
@@ -94,10 +94,9 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
   expect_output("--resurvey", arguments.resurvey, {".yaml"});
   expect_output("--checkpoint", arguments.checkpoint, {});
   const RunChoice choice = choice_of(arguments);
-  const twin::Scenario scenario = twin::read_scenario(arguments.scenario);
-  const auto folder = std::filesystem::absolute(arguments.scenario).parent_path();
-  ScenarioWater water = water_of(scenario, context.store_folder, folder);
-  with_context(arguments.scenario.string(), [&] { add_heard_traffic(scenario, folder, water); });
+  const ScenarioAtHand at_hand = scenario_at_hand(arguments.scenario, context.store_folder);
+  const twin::Scenario& scenario = at_hand.scenario;
+  const ScenarioWater& water = at_hand.water;
   ProgressBar progress("simulate " + scenario.name, context.json);
   const ScenarioResult result = with_context(arguments.scenario.string(), [&] {
     return run_scenario(scenario, water, choice, [&](double share) { progress.update(share); });

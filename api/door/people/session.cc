@@ -2,6 +2,7 @@
 
 #include "api/door/http/field_list.h"
 #include "api/door/http/problem.h"
+#include "api/door/http/trust.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -31,13 +32,6 @@ std::string token_in(const Request& request) {
     if (token.empty() && name.starts_with(bearer)) token = std::string(name.substr(bearer.size()));
   });
   return token;
-}
-
-/// A page of this server, or what is no page.
-bool is_of_this_origin(const Request& request) {
-  const std::string& origin = request.origin;
-  return origin.empty() || origin == "http://" + request.host ||
-         origin == "https://" + request.host;
 }
 
 }  // namespace
@@ -140,7 +134,7 @@ json Session::summary() const {
 }
 
 std::optional<Response> Session::refusal(const Request& request) const {
-  if (!is_of_this_origin(request))
+  if (!api::http::is_of_own_origin(request))
     return api::http::problem(403,
                               "found a page of another origin, expected this server's own; open "
                               "/session here",
@@ -354,7 +348,7 @@ void Session::tick_on(const std::stop_token& over) {
   while (!over.stop_requested()) {
     next += std::chrono::milliseconds(tick_ms);
     std::this_thread::sleep_until(next);
-    tick();
+    if (!tick()) return;
     mind_farm();
   }
 }
@@ -374,8 +368,9 @@ void Session::mind_farm() {
   farm_now_ = now;
 }
 
-void Session::tick() {
+bool Session::tick() {
   const std::lock_guard lock(mutex_);
+  if (is_over_) return false;
   const Milliseconds now = clock();
   {
     const std::lock_guard look(look_mutex_);
@@ -438,6 +433,7 @@ void Session::tick() {
     if (const std::uint32_t left_out = station.flow.take_left_out(); left_out > 0)
       tell(station, {{"is", "left_out"}, {"frames", left_out}});
   }
+  return true;
 }
 
 }  // namespace slackwater::people

@@ -64,7 +64,8 @@ class Session final : public api::http::WebSocketHandler {
   using Socket = const api::http::WebSocket*;
   [[nodiscard]] Milliseconds clock() const;
   void tick_on(const std::stop_token& over);
-  void tick();
+  /// @return whether there will be another one: not once the run is over
+  bool tick();
   void look_at_run(const twin::RunControl& control);
   void tell_all(const nlohmann::json& json);
   void tell(Station& station, const nlohmann::json& json);

@@ -3,6 +3,7 @@
 #include "api/door/http/problem.h"
 #include "api/door/http/trust.h"
 #include "api/door/people/page/assets.h"
+#include "fields/base/error.h"
 
 namespace slackwater::people {
 namespace {
@@ -31,14 +32,11 @@ Response page_part(const char* media_type, std::string_view body) {
   return response;
 }
 
-std::optional<Response> refused(const Session& session, const Request& request) {
-  return session.refusal_of(api::http::bearer_of(request.authorization), request.path);
-}
-
 }  // namespace
 
-void add_routes(api::http::Router& router, const std::shared_ptr<Session>& session) {
-  const std::string path = "/sessions/" + session->id();
+void add_routes(api::http::Router& router, const ServedSessions& sessions) {
+  using api::http::bearer_of;
+  using api::http::PathParameters;
   router.add("GET", "/session", [](const Request&) {
     return page_part("text/html; charset=utf-8", session_page_html());
   });
@@ -48,24 +46,43 @@ void add_routes(api::http::Router& router, const std::shared_ptr<Session>& sessi
   router.add("GET", "/session/page.css", [](const Request&) {
     return page_part("text/css; charset=utf-8", session_page_style());
   });
-  router.add("GET", "/sessions", [session](const Request&) {
-    return json_response({{"sessions", json::array({session->summary()})}});
-  });
-  router.add("GET", path + "/check", [session](const Request& request) {
-    if (auto refusal = refused(*session, request)) return *std::move(refusal);
-    Response response;
-    response.status = 204;
-    return response;
-  });
-  router.add("GET", path + "/actions", [session](const Request& request) {
-    if (auto refusal =
-            session->refusal_to_read(api::http::bearer_of(request.authorization), request.path))
-      return *std::move(refusal);
-    json rows = json::array();
-    for (const Action& action : session->actions()) rows.push_back(action_json(action));
-    return json_response({{"actions", rows}});
-  });
-  router.add("GET", path + "/socket", api::http::websocket_route(session));
+  router.add("GET", "/sessions",
+             [list = sessions.list](const Request&) { return json_response(list()); });
+  const std::string path = "/sessions/{session}";
+  router.add("GET", path + "/check",
+             [find = sessions.find](const Request& request, const PathParameters& parameters) {
+               const auto session = find(parameters.at("session"));
+               if (auto no = session->refusal_of(bearer_of(request.authorization), request.path))
+                 return *std::move(no);
+               Response response;
+               response.status = 204;
+               return response;
+             });
+  router.add(
+      "GET", path + "/actions",
+      [find = sessions.find](const Request& request, const PathParameters& parameters) {
+        const auto session = find(parameters.at("session"));
+        if (auto no = session->refusal_to_read(bearer_of(request.authorization), request.path))
+          return *std::move(no);
+        json rows = json::array();
+        for (const Action& action : session->actions()) rows.push_back(action_json(action));
+        return json_response({{"actions", rows}});
+      });
+  router.add("GET", path + "/socket",
+             [find = sessions.find](const Request& request, const PathParameters& parameters) {
+               return api::http::websocket_route(find(parameters.at("session")))(request);
+             });
+}
+
+void add_routes(api::http::Router& router, const std::shared_ptr<Session>& session) {
+  add_routes(router, {[session] {
+                        return json{{"sessions", json::array({session->summary()})}};
+                      },
+                      [session](const std::string& id) {
+                        if (id == session->id()) return session;
+                        throw Error(ErrorKind::not_found,
+                                    "found no session '" + id + "', expected " + session->id());
+                      }});
 }
 
 }  // namespace slackwater::people

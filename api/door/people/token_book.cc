@@ -6,7 +6,6 @@
 #include <array>
 
 #include "api/door/http/trust.h"
-#include "fields/base/config.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -69,6 +68,12 @@ TokenBook TokenBook::drawn(UtcTime until) {
 
 TokenBook TokenBook::read(const std::filesystem::path& file) {
   const Config config = Config::load(file);
+  TokenBook book = read(config);
+  config.expect_all_read();
+  return book;
+}
+
+TokenBook TokenBook::read(const Config& config) {
   TokenBook book;
   for (const Config& entry : config.children("people")) {
     Grant grant = read_grant(entry);
@@ -77,7 +82,6 @@ TokenBook TokenBook::read(const std::filesystem::path& file) {
   }
   if (book.grants_.empty())
     config.refuse("people", "found nobody, expected a list of {role, token, until}");
-  config.expect_all_read();
   return book;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "api/door/people/role.h"
+#include "fields/base/config.h"
 #include "fields/base/time.h"
 
 namespace slackwater::people {
@@ -25,8 +26,11 @@ class TokenBook {
  public:
   /// Fresh tokens: one supervisor, four operators, sixty spectators.
   [[nodiscard]] static TokenBook drawn(UtcTime until);
-  /// `people:` of an operator's file. @throws Error(invalid_input), Error(not_found)
+  /// `people:` of an operator's file, which holds nothing else.
+  /// @throws Error(invalid_input), Error(not_found)
   [[nodiscard]] static TokenBook read(const std::filesystem::path& file);
+  /// `people:` of a file that holds more.
+  [[nodiscard]] static TokenBook read(const Config& config);
 
   [[nodiscard]] const std::vector<Grant>& grants() const noexcept { return grants_; }
   /// Its place in `grants`. The time it takes does not tell how near a wrong token is.

@@ -70,8 +70,8 @@ const api::ScenarioResult& SessionUnderWay::ended() {
 }
 
 StationClient::StationClient(const ServerPlace& place, const std::string& token,
-                             const std::string& field_lines)
-    : socket_(place, "/sessions/run/socket", "slackwater.session.v1, bearer." + token,
+                             const std::string& field_lines, const std::string& session)
+    : socket_(place, "/sessions/" + session + "/socket", "slackwater.session.v1, bearer." + token,
               field_lines) {}
 
 int StationClient::says(json message) {

@@ -56,7 +56,7 @@ class StationClient {
                 const std::string& field_lines = {})
       : StationClient(session.port(), token, field_lines) {}
   StationClient(const ServerPlace& place, const std::string& token,
-                const std::string& field_lines = {});
+                const std::string& field_lines = {}, const std::string& session = "run");
 
   [[nodiscard]] int status() const { return socket_.handshake().status; }
   [[nodiscard]] const HttpReply& handshake() const { return socket_.handshake(); }
