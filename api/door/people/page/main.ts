@@ -25,6 +25,7 @@ import { browser_means } from './session/browser_means';
 import { decode_frame } from './session/frame';
 import { guard_seat, keep_seat, seat_to_take_up } from './session/kept_seat';
 import { read_answer, type Json } from './session/message';
+import { session_of_address } from './session/session_list';
 import { empty_session, show_frame, tell, vehicle_name } from './session/state';
 import { Wire, type LinkState } from './session/wire';
 import { Station, type Panel } from './station';
@@ -229,7 +230,10 @@ requestAnimationFrame(draw);
 
 guard_seat(() => seat_token);
 void seat_to_take_up().then((seat) => {
-  if (seat !== null && link.is === 'off') wire.take_up(seat.session_id, seat.token, seat.name);
+  const asked = session_of_address(location.search);
+  const is_asked = asked === '' || asked === seat?.session_id;
+  if (seat !== null && is_asked && link.is === 'off')
+    wire.take_up(seat.session_id, seat.token, seat.name);
   else show_panels();
 });
 

@@ -1,6 +1,15 @@
 // Taking a seat: which session, who, and the token that was given out of band.
 import { button, element, labelled, set_hidden, set_text } from '../look/element';
-import { listed_sessions } from '../session/browser_means';
+import { begin_session, listed_sessions } from '../session/browser_means';
+import {
+  session_label,
+  session_of_address,
+  to_join,
+  type ListedSession,
+  type SessionOffer,
+} from '../session/session_list';
+
+const LOOK_AGAIN_MS = 1000;
 
 export interface JoinForm {
   readonly box: HTMLElement;
@@ -22,34 +31,89 @@ export function join_form(
   const problem = element('p', { class: 'problem', role: 'alert' });
   set_hidden(problem, true);
 
+  const begins = element('div', {
+    class: 'buttons',
+    role: 'group',
+    'aria-label': 'Begin a session',
+  });
+
+  /** The one to be chosen once it is listed. */
+  let wanted = session_of_address(location.search);
+  /** The one that was begun here last: if it fails, it is said why. */
+  let begun = '';
+  const choose = (listed: ListedSession[], before: string): void => {
+    const is_listed = (id: string): boolean => listed.some((it) => it.id === id);
+    if (is_listed(wanted)) {
+      sessions.value = wanted;
+      wanted = '';
+    } else if (is_listed(before)) sessions.value = before;
+  };
   const fill = async (): Promise<void> => {
     const before = sessions.value;
     try {
-      const listed = await listed_sessions();
+      const { sessions: all, may_begin } = await listed_sessions();
+      const listed = to_join(all);
       sessions.replaceChildren(
-        ...listed.map((it) => {
-          const seats =
-            it.seats === null ? '' : it.seats === 1 ? ', 1 person' : `, ${it.seats} people`;
-          return element(
-            'option',
-            { value: it.id },
-            `${it.name} (${it.state || 'state not told'}${seats})`,
-          );
-        }),
+        ...listed.map((it) => element('option', { value: it.id }, session_label(it, listed))),
       );
-      if (listed.some((it) => it.id === before)) sessions.value = before;
-      if (listed.length === 0) tell('There is no session now. Look again later.');
+      const missing = all.find((it) => [wanted, begun].includes(it.id) && !listed.includes(it));
+      choose(listed, before);
+      show_begins(may_begin);
+      if (missing !== undefined)
+        tell(`${missing.name} is ${missing.state}${missing.why && `: ${missing.why}`}.`);
+      else if (listed.length === 0)
+        tell(
+          may_begin.length === 0
+            ? 'There is no session now. Look again later.'
+            : 'There is no session now. With the token of a supervisor you may begin one.',
+        );
       else if (problem.dataset.of === 'list') set_hidden(problem, true);
+      if (listed.some((it) => it.state === 'starting') && form.isConnected)
+        setTimeout(() => void fill(), LOOK_AGAIN_MS);
     } catch (error) {
       tell(error instanceof Error ? error.message : 'The list of sessions could not be had.');
     }
   };
+  const show_begins = (may_begin: SessionOffer[]): void => {
+    const shown = JSON.stringify(may_begin);
+    if (begins.dataset.shown === shown) return;
+    begins.dataset.shown = shown;
+    begins.replaceChildren(
+      ...may_begin.map((it) => button(`Begin ${it.name}`, () => void begin(it))),
+    );
+    set_hidden(begins, may_begin.length === 0);
+  };
+  const begin = async (offer: SessionOffer): Promise<void> => {
+    const secret = read_token();
+    if (secret === null) return;
+    try {
+      wanted = begun = await begin_session(offer.id, secret);
+    } catch (error) {
+      tell_of('begin', error instanceof Error ? error.message : 'It could not be begun.');
+      return;
+    }
+    if (problem.dataset.of === 'begin') set_hidden(problem, true);
+    await fill();
+  };
   const tell = (text: string): void => {
     // Why the last link ended is not lost for want of a list.
     if (problem.dataset.of === 'link' && !problem.hidden) return;
-    problem.dataset.of = 'list';
+    tell_of('list', text);
+  };
+  const tell_of = (of: string, text: string): void => {
+    problem.dataset.of = of;
     set_text(problem, text);
     set_hidden(problem, false);
+  };
+  /** The token that was typed; nothing where it is none, which is said. */
+  const read_token = (): string | null => {
+    const secret = token.value.trim();
+    // Only these letters may stand in a sub-protocol's name; with others the browser would refuse
+    // it.
+    if (/^[A-Za-z0-9._~+-]+$/.test(secret)) return secret;
+    tell_of('token', 'This is no token: it has letters, digits and . _ ~ + - only.');
+    token.focus();
+    return null;
   };
 
   const form = element(
@@ -70,24 +134,16 @@ export function join_form(
       join,
       button('Look again for sessions', () => void fill()),
     ),
+    begins,
   );
   form.addEventListener('submit', (event) => {
     event.preventDefault();
-    const secret = token.value.trim();
     if (sessions.value === '') {
       tell('Choose a session first.');
       return;
     }
-    // Only these letters may stand in a sub-protocol's name; with others the browser would refuse
-    // it.
-    if (!/^[A-Za-z0-9._~+-]+$/.test(secret)) {
-      problem.dataset.of = 'token';
-      set_text(problem, 'This is no token: it has letters, digits and . _ ~ + - only.');
-      set_hidden(problem, false);
-      token.focus();
-      return;
-    }
-    on_join(sessions.value, secret, name.value.trim());
+    const secret = read_token();
+    if (secret !== null) on_join(sessions.value, secret, name.value.trim());
   });
   void fill();
   return {
@@ -96,9 +152,7 @@ export function join_form(
       join.disabled = is_busy;
       set_text(join, is_busy ? 'Joining' : 'Join');
       if (text !== '') {
-        problem.dataset.of = 'link';
-        set_text(problem, text);
-        set_hidden(problem, false);
+        tell_of('link', text);
         void fill();
       } else if (is_busy) set_hidden(problem, true);
     },

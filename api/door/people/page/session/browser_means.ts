@@ -1,7 +1,8 @@
 // The browser as the wire's world: its WebSocket, fetch and timers. Only our own origin is spoken
 // to.
 import type { Check, Means, Socket } from './wire';
-import { as_list, as_number, as_object, as_text } from './message';
+import { as_object, as_text } from './message';
+import { read_session_list, type SessionList } from './session_list';
 
 async function check(session_id: string, token: string): Promise<Check> {
   try {
@@ -42,33 +43,35 @@ export const browser_means: Means = {
   chance: () => Math.random(),
 };
 
-export interface ListedSession {
-  id: string;
-  name: string;
-  state: string;
-  seats: number | null;
+/** Throws a sentence where the list cannot be had. */
+export async function listed_sessions(): Promise<SessionList> {
+  const answer = await asked('/sessions', {});
+  if (!answer.ok) throw new Error(await problem_text(answer));
+  return read_session_list(await answer.json());
 }
 
-/** Throws a sentence where the list cannot be had. */
-export async function listed_sessions(): Promise<ListedSession[]> {
-  let answer: Response;
+/**
+ * Begins a session with the token of a supervisor; its id. Throws a sentence where that is refused.
+ */
+export async function begin_session(offer: string, token: string): Promise<string> {
+  const answer = await asked('/sessions', {
+    method: 'POST',
+    headers: { Authorization: `Bearer ${token}`, 'Content-Type': 'application/json' },
+    body: JSON.stringify({ begin: offer }),
+  });
+  if (!answer.ok) throw new Error(await problem_text(answer));
+  return as_text(as_object(await answer.json())?.id);
+}
+
+async function asked(path: string, how: RequestInit): Promise<Response> {
   try {
-    answer = await fetch('/sessions', {
+    return await fetch(path, {
       cache: 'no-store',
       credentials: 'omit',
       signal: AbortSignal.timeout(4000),
+      ...how,
     });
   } catch {
     throw new Error('The server is out of reach.');
   }
-  if (!answer.ok) throw new Error(await problem_text(answer));
-  const listed: ListedSession[] = [];
-  for (const it of as_list(as_object(await answer.json())?.sessions)) {
-    const session = as_object(it);
-    const id = as_text(session?.id);
-    if (session === null || id === '') continue;
-    const seats = Array.isArray(session.seats) ? session.seats.length : as_number(session.seats);
-    listed.push({ id, name: as_text(session.name) || id, state: as_text(session.state), seats });
-  }
-  return listed;
 }
