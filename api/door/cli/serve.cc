@@ -9,6 +9,7 @@
 #include "api/door/edr/service.h"
 #include "api/door/http/server.h"
 #include "api/door/live/forecast_service.h"
+#include "api/door/sessions/host_routes.h"
 #include "api/issued/issued_fields.h"
 #include "api/program/version.h"
 #include "fields/base/log.h"
@@ -23,6 +24,7 @@ struct ServeArguments {
   std::string token_file;
   std::string base_url;
   std::string stale_after;
+  std::string sessions;
   std::optional<int> domain;
   bool loopback = false;
   bool udp_only = false;
@@ -80,6 +82,24 @@ std::string checked_base(std::string url) {
                                     "and '#', e.g. https://forecasts.example.org/edr");
 }
 
+/// The sessions of people, where a file says which may be begun.
+std::shared_ptr<sessions::SessionHost> session_host(const ServeArguments& arguments,
+                                                    const Context& context) {
+  if (arguments.sessions.empty()) return nullptr;
+  auto file = sessions::read_operator_file(arguments.sessions, context.store_folder);
+  (void)context.open(store::OpenMode::create_or_write);  // runs in made-up water need no forecast
+  return std::make_shared<sessions::SessionHost>(std::move(file), context.store_folder,
+                                                 [&context] { return context.now(); });
+}
+
+/// As many stations at each session as a server of one session takes.
+http::Limits limits_for(std::size_t sessions_at_once) {
+  http::Limits limits;
+  limits.websockets *= sessions_at_once;
+  limits.connections += limits.websockets;
+  return limits;
+}
+
 /// Blocks SIGINT and SIGTERM for this and all later threads, so that one place waits for them.
 class StopSignals {
  public:
@@ -109,14 +129,20 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   options.port = static_cast<std::uint16_t>(arguments.port);
   options.threads = static_cast<std::size_t>(arguments.threads);
   options.token = token_of(arguments.token_file);
-  options.read_only = true;  // nothing that is served yet writes
+  options.read_only = true;  // but for what asks for tokens of its own
   options.exposed_fields = edr::own_header_fields();
   options.on_failure = [](const http::Request& request, const std::string& what) {
     log_event(LogLevel::error, "request failed", {{"path", request.path}, {"problem", what}});
   };
+  const auto people = session_host(arguments, context);
   const auto forecasts = std::make_shared<IssuedFields>(context.store_folder);
   http::Router router;
   edr::add_routes(router, forecasts, base_url, freshness);
+  if (people) {
+    sessions::add_routes(router, people);
+    options.guards_itself = sessions::is_for_supervisors;
+    options.limits = limits_for(people->most_at_once());
+  }
   std::vector<std::string> labels = router.labels();
   labels.insert(labels.end(), {"/health", "/health/fresh", "/metrics"});
   options.metrics = std::make_shared<http::Metrics>(labels);
@@ -130,6 +156,7 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   const auto dds_service = on_dds(arguments, forecasts, context);
   http::Server server(options, router);
   server.start();
+  if (people) people->begin_at_start();
   const std::string url =
       "http://" +
       (arguments.address.find(':') == std::string::npos ? arguments.address
@@ -140,10 +167,12 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   } else {
     std::printf("Slackwater at %s/ (%zu forecasts); Ctrl-C ends it\n", url.c_str(),
                 forecasts->catalogue()->instances.size());
+    if (people) std::printf("people: %s/session\n", url.c_str());
   }
   std::fflush(stdout);
   log_event(LogLevel::info, "serving", {{"url", url}, {"store", context.store_folder.string()}});
   stop.wait();
+  if (people) people->stop();  // while there is a server to say farewell with
   server.stop();
   log_event(LogLevel::info, "stopped");
 }
@@ -169,6 +198,9 @@ void add_serve(CLI::App& app, Context& context) {
   command->add_option("--stale-after", arguments->stale_after,
                       "a forecast older than this is called stale by /, /health and /metrics "
                       "(default 36h)");
+  command->add_option("--sessions", arguments->sessions,
+                      "live sessions that people may begin and take part in (page /session), and "
+                      "their tokens, as FILE.yaml");
   command->add_option(
       "--dds-domain", arguments->domain,
       "also on DDS: the water of each site as forecast for now, ROS 2 names; domain "
