@@ -6,8 +6,8 @@
 
 namespace slackwater::sessions {
 
-/// The paths of sessions (people/session_routes.h), and those by which supervisors begin and end
-/// them:
+/// The paths of sessions (api/door/people/session_routes.h), and those by which supervisors begin
+/// and end them:
 ///
 ///     GET  /sessions/{id}                                  200, as in the list
 ///     POST /sessions             {"begin": "night-cp"}     201, Location: /sessions/night-cp

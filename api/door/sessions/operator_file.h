@@ -28,7 +28,7 @@ struct Offer {
 ///         begins: by_supervisor               # or at_start
 ///     most_at_once: 4
 ///     logs: logs/
-///     people: [...]                           # people/token_book.h
+///     people: [...]                           # api/door/people/token_book.h
 ///
 /// Files and folders count from its own folder.
 struct OperatorFile {

@@ -27,15 +27,20 @@ UtcTime wall() {
   return std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
 }
 
-/// A server of three sessions, two at once.
+/// A server of four sessions, two at once.
 struct ServeSessions : testing::Test {
   ServeSessions() {
     std::filesystem::create_directories(folder / "logs");
     write_file(folder / "one.yaml", rovs_yaml("one rov", {"rov 1"}));
     write_file(folder / "two.yaml", rovs_yaml("two boats", {"east", "west"}));
+    write_file(folder / "mission.yaml",
+               "{name: Scour at A02, site: example_farm, tasks: [scour_survey], turbines: [A02], "
+               "seed: 1, duration: 3h, water: {made_up: {depth_m: 60}}}\n");
     write_file(folder / "sessions.yaml",
                "sessions:\n  - {id: a, scenario: one.yaml}\n  - {id: b, scenario: two.yaml}\n"
-               "  - {id: a-2, scenario: one.yaml}\nmost_at_once: 2\nlogs: logs\n" +
+               "  - {id: a-2, scenario: one.yaml}\n"
+               "  - {id: scour, mission: mission.yaml, real_time_factor: 10}\n"
+               "most_at_once: 2\nlogs: logs\n" +
                    people_yaml());
     host = std::make_shared<sessions::SessionHost>(
         sessions::read_operator_file(folder / "sessions.yaml", folder / "store"), folder / "store",
@@ -135,6 +140,20 @@ TEST_F(ServeSessions, AtOnceDoNotSeeEachOtherAndEachHasItsOwnRecordAndLog) {
     for (const people::Action& row : in_log)
       if (i == 0) EXPECT_EQ(row.who, "Ann") << "Bob was in the other one";
   }
+}
+
+TEST_F(ServeSessions, OfAMissionAreFlownByPeopleAndMadeAgainFromTheirLog) {
+  begin("scour", "scour");
+  StationClient anns = station("scour", ann);
+  const json seen = anns.hello("Ann");
+  EXPECT_EQ(seen["title"], "Scour at A02");
+  ASSERT_GE(seen["vehicles"].size(), 1U);
+  EXPECT_EQ(anns.asks({{"do", "ask"}, {"vehicle", 0}})["taken"], true);
+  EXPECT_EQ(anns.asks(anns.command("hold", 0))["taken"], true);
+  end("scour");
+  ASSERT_EQ(logs().size(), 1U);
+  const api::ReplayResult again = api::replay(logs()[0], folder / "store", std::nullopt, {});
+  EXPECT_TRUE(again.is_identical) << again.difference;
 }
 
 TEST_F(ServeSessions, GoOnToAsManyAsMayBeAtOnceAndTheNextRunHasAnIdOfItsOwn) {
