@@ -59,8 +59,8 @@ export function join_form(
       const missing = all.find((it) => [wanted, begun].includes(it.id) && !listed.includes(it));
       choose(listed, before);
       show_begins(may_begin);
-      if (missing !== undefined)
-        tell(`${missing.name} is ${missing.state}${missing.why && `: ${missing.why}`}.`);
+      if (missing?.state === 'failed') tell(`${missing.name} has failed: ${missing.why}.`);
+      else if (missing !== undefined) tell(`${missing.name} is ${missing.state}.`);
       else if (listed.length === 0)
         tell(
           may_begin.length === 0
