@@ -10,6 +10,7 @@
 #include "api/door/http/server.h"
 #include "api/door/live/forecast_service.h"
 #include "api/door/sessions/host_routes.h"
+#include "api/door/sessions/interface_document.h"
 #include "api/issued/issued_fields.h"
 #include "api/program/version.h"
 #include "fields/base/log.h"
@@ -137,8 +138,9 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   const auto people = session_host(arguments, context);
   const auto forecasts = std::make_shared<IssuedFields>(context.store_folder);
   http::Router router;
-  edr::add_routes(router, forecasts, base_url, freshness);
+  if (!people) edr::add_routes(router, forecasts, base_url, freshness);
   if (people) {
+    edr::add_routes(router, forecasts, base_url, freshness, sessions::interface_document());
     sessions::add_routes(router, people);
     options.guards_itself = sessions::is_for_supervisors;
     options.limits = limits_for(people->most_at_once());

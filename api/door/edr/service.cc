@@ -66,8 +66,10 @@ bool is_plain_host(const std::string& host) {
 
 class Service {
  public:
-  Service(std::shared_ptr<IssuedFields> forecasts, std::string base_url)
-      : forecasts_(std::move(forecasts)), base_url_(std::move(base_url)) {}
+  Service(std::shared_ptr<IssuedFields> forecasts, std::string base_url, nlohmann::json others)
+      : forecasts_(std::move(forecasts)),
+        base_url_(std::move(base_url)),
+        others_(std::move(others)) {}
 
   [[nodiscard]] std::string base(const Request& request) const {
     if (!base_url_.empty()) return base_url_;
@@ -97,7 +99,8 @@ class Service {
     constexpr std::array<std::string_view, 1> known{"f"};
     expect_known(query, known);
     const Format format = format_of(request, query, document_formats);
-    const nlohmann::json made = openapi_document(base(request), *forecasts_->catalogue());
+    nlohmann::json made = openapi_document(base(request), *forecasts_->catalogue());
+    made.merge_patch(others_);
     if (format == Format::html) return page_response(html_of_interface(base(request), made));
     const bool is_plain = query.find("f") || request.accept.starts_with("application/json");
     return {200,
@@ -231,6 +234,7 @@ class Service {
 
   std::shared_ptr<IssuedFields> forecasts_;
   std::string base_url_;
+  nlohmann::json others_;  ///< of the interface, that are not ours
 };
 
 }  // namespace
@@ -239,7 +243,13 @@ std::vector<std::string> own_header_fields() { return provenance_fields(); }
 
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url, const Freshness& freshness) {
-  const auto service = std::make_shared<const Service>(std::move(forecasts), base_url);
+  add_routes(router, std::move(forecasts), base_url, freshness, nlohmann::json::object());
+}
+
+void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
+                const std::string& base_url, const Freshness& freshness,
+                const nlohmann::json& others) {
+  const auto service = std::make_shared<const Service>(std::move(forecasts), base_url, others);
   using Catalogue = ForecastCatalogue;
   const auto add = [&](const std::string& pattern, std::span<const Format> formats,
                        std::span<const std::string_view> others, auto make) {

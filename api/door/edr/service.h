@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@ namespace slackwater::api::edr {
 /// @param freshness  when the list of sites calls a forecast old
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url = {}, const Freshness& freshness = {});
+/// The same of a server that has other routes beside these.
+/// @param others  what the document of `/api` says of them: merged into it (RFC 7396)
+void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
+                const std::string& base_url, const Freshness& freshness,
+                const nlohmann::json& others);
 
 /// Header fields that answers carry beside those of HTTP, for
 /// `http::ServerOptions::exposed_fields`.

@@ -1,6 +1,7 @@
 #include "api/door/edr/write/html_page.h"
 
 #include <array>
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -237,6 +238,12 @@ const json& resolved(const json& openapi, const json& parameter) {
   return openapi.at(json::json_pointer(reference->get<std::string>().substr(1)));
 }
 
+/// "get" of an OpenAPI document is GET on the wire.
+std::string as_sent(std::string method) {
+  for (char& letter : method) letter = static_cast<char>(std::toupper(letter));
+  return method;
+}
+
 std::vector<std::vector<std::string>> rows_of(const json& openapi, const json& parameters) {
   std::vector<std::vector<std::string>> rows;
   for (const json& given : parameters) {
@@ -269,10 +276,12 @@ std::string html_page(const std::string& title, const std::string& base, const j
 std::string html_of_interface(const std::string& base, const json& openapi) {
   std::string body = "<p>" + escaped_at(openapi.at("info"), "description") + "</p>\n";
   for (const auto& [path, operations] : openapi.at("paths").items()) {
-    const json& get = operations.at("get");
-    body += "<h2>GET " + escaped_html(path) + "</h2><p>" + escaped_at(get, "summary") + "</p>\n";
-    const auto rows = rows_of(openapi, get.at("parameters"));
-    if (!rows.empty()) body += table({"parameter", "in", "needed", "what", "example"}, rows);
+    for (const auto& [method, operation] : operations.items()) {
+      body += "<h2>" + escaped_html(as_sent(method) + " " + path) + "</h2><p>" +
+              escaped_at(operation, "summary") + "</p>\n";
+      const auto rows = rows_of(openapi, operation.at("parameters"));
+      if (!rows.empty()) body += table({"parameter", "in", "needed", "what", "example"}, rows);
+    }
   }
   return html_frame(text_of(openapi.at("info").at("title")), base, body);
 }

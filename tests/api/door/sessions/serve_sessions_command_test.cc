@@ -124,5 +124,30 @@ TEST_F(ServeSessionsCommand, ServesForecastsBesideAndWritesNothingElse) {
   EXPECT_EQ(program->end(SIGTERM), 0);
 }
 
+/// Of a JSON value all that is named by "$ref".
+void add_references(const json& value, std::vector<std::string>& all) {
+  if (value.is_object() && value.contains("$ref")) all.push_back(value["$ref"]);
+  if (value.is_structured())
+    for (const json& part : value) add_references(part, all);
+}
+
+TEST_F(ServeSessionsCommand, DescribesTheRoutesOfSessionsBesideThoseOfForecasts) {
+  ASSERT_NO_FATAL_FAILURE(start());
+  HttpClient client(port);
+  const json document = json::parse(client.get("/api?f=json")->body);
+  const json& paths = document["paths"];
+  EXPECT_TRUE(paths.contains("/collections/{collectionId}/position"));
+  EXPECT_TRUE(paths["/sessions"]["post"]["responses"].contains("409"));
+  EXPECT_TRUE(paths["/sessions/{sessionId}/end"]["post"].contains("security"));
+  std::vector<std::string> references;
+  add_references(document, references);
+  EXPECT_GT(references.size(), 100U);
+  for (const std::string& one : references)
+    EXPECT_TRUE(document.contains(json::json_pointer(one.substr(1)))) << one;
+  const auto page = client.get("/api?f=html");
+  EXPECT_TRUE(contains(page->body, "<h2>POST /sessions</h2>"));
+  EXPECT_TRUE(contains(page->body, "<h2>GET /collections</h2>"));
+}
+
 }  // namespace
 }  // namespace slackwater::tests::serve_sessions_command_test
