@@ -15,9 +15,8 @@ using api::http::WebSocket;
 using api::http::Worth;
 using nlohmann::json;
 
-constexpr std::string_view protocol_name = "slackwater.session.v1";
 constexpr std::string_view bearer = "bearer.";
-constexpr Milliseconds tick_ms = 50, hello_ms = 5'000, silent_ms = 90'000, stick_pause_ms = 1'000;
+constexpr Milliseconds stick_pause_ms = 1'000;
 /// A station that holds a helm and says nothing for so long is taken to be lost: pages say
 /// something each two seconds.
 constexpr Milliseconds unheard_ms = 5'000;
@@ -41,7 +40,11 @@ Session::Session(SessionSettings settings, TokenBook book)
       began_(std::chrono::steady_clock::now()),
       seats_(std::move(book)),
       record_(settings_.keep),
-      ticker_([this](const std::stop_token& over) { tick_on(over); }) {}
+      ticker_([this] {
+        if (!tick()) return false;
+        mind_farm();
+        return true;
+      }) {}
 
 Session::~Session() { end(); }
 
@@ -134,11 +137,7 @@ json Session::summary() const {
 }
 
 std::optional<Response> Session::refusal(const Request& request) const {
-  if (!api::http::is_of_own_origin(request))
-    return api::http::problem(403,
-                              "found a page of another origin, expected this server's own; open "
-                              "/session here",
-                              request.path);
+  if (auto strange = refusal_of_origin(request)) return strange;
   return refusal_of(token_in(request), request.path);
 }
 
@@ -163,23 +162,13 @@ void Session::received_text(WebSocket& socket, std::string_view text) {
     if (const Seat* seat = seats_.find(station.seat); desk_ && seat != nullptr)
       desk_->helms().back(*seat, station.heard_at);
   }
-  if (!station.all.take(station.heard_at))
-    return turn_out(station, CloseCode::too_many,
-                    "found more than 120 messages a second; send fewer");
-  std::optional<StationSays> says;
+  const auto said = hear(station, text, station.heard_at);
+  if (const auto* why = std::get_if<TurnOut>(&said)) return turn_out(station, why->code, why->text);
+  const auto& says = std::get<StationSays>(said);
   try {
-    says.emplace(text);
+    heard(station, says);
   } catch (const Error& e) {
-    return turn_out(station, CloseCode::malformed, e.message());
-  }
-  try {
-    heard(station, *says);
-  } catch (const Error& e) {
-    tell(station, {{"is", "answer"},
-                   {"id", says->id()},
-                   {"taken", false},
-                   {"reason", "unreadable"},
-                   {"text", e.message()}});
+    tell(station, refused_json(says, "unreadable", e.message()));
   }
 }
 
@@ -218,25 +207,13 @@ void Session::heard(Station& station, const StationSays& says) {
   if (station.seat == 0)
     return turn_out(station, CloseCode::malformed, "found " + what + ", expected hello first");
   seats_.confirm(station.seat);
-  if (what == "time") {
-    return tell(station,
-                {{"is", "clock"}, {"at", says.number("at", -1e15, 1e15)}, {"clock", clock()}});
-  }
-  if (what == "saw") {
-    if (!station.flow.saw(static_cast<std::uint32_t>(says.whole("frame", 0, 0xFFFFFFFFLL))))
-      throw Error(ErrorKind::invalid_input,
-                  "saw: frame: found one that was never sent, expected the last one drawn");
-    return;
-  }
+  if (keeps_in_touch(station, says, clock())) return;
   if (what == "say") {
     if (!station.deeds.take(clock())) return turn_out(station, CloseCode::too_many, many_deeds);
     const Seat& seat = *seats_.find(station.seat);
     if (seat.role == Role::looks_on)
-      return tell(station, {{"is", "answer"},
-                            {"id", says.id()},
-                            {"taken", false},
-                            {"reason", twin::name_of(twin::RefusalReason::unauthorised)},
-                            {"text", "say needs the role of operator, and yours is spectator"}});
+      return tell(station, refused_json(says, twin::name_of(twin::RefusalReason::unauthorised),
+                                        "say needs the role of operator, and yours is spectator"));
     const std::string text = says.text("text", 200);
     tell_all({{"is", "said"}, {"seat", seat.number}, {"text", text}});
     Said said;
@@ -311,9 +288,7 @@ void Session::desk_work(Station& station, const StationSays& says) {
 
 void Session::turn_out(Station& station, CloseCode code, const std::string& text) {
   if (station.is_turned_out) return;
-  tell(station, {{"is", "bye"}, {"code", static_cast<int>(code)}, {"text", text}});
-  station.is_turned_out = true;
-  station.socket->close(static_cast<std::uint16_t>(code), text);
+  people::turn_out(station, {code, text});
   // A socket may take long to close; what it was to the others ends now.
   if (!is_over_) cut_off(station);
 }
@@ -343,16 +318,6 @@ void Session::drop_seat(unsigned number, const std::string& why) {
 
 // --- twenty times a second ---
 
-void Session::tick_on(const std::stop_token& over) {
-  auto next = std::chrono::steady_clock::now();
-  while (!over.stop_requested()) {
-    next += std::chrono::milliseconds(tick_ms);
-    std::this_thread::sleep_until(next);
-    if (!tick()) return;
-    mind_farm();
-  }
-}
-
 /// Wakes take milliseconds to work out: nobody waits for that.
 void Session::mind_farm() {
   std::shared_ptr<FarmOutput> farm;
@@ -381,10 +346,8 @@ bool Session::tick() {
   }
   for (auto& [socket, station] : stations_) {
     if (station.is_turned_out) continue;
-    if (station.seat == 0 && now > station.since + hello_ms)
-      turn_out(station, CloseCode::no_hello, "found no hello within 5 s");
-    else if (now > station.heard_at + silent_ms)
-      turn_out(station, CloseCode::silent, "found nothing from this station for 90 s");
+    if (const auto why = overdue(station, station.seat != 0, now))
+      turn_out(station, why->code, why->text);
     else if (!station.is_unheard && now > station.heard_at + unheard_ms) {
       station.is_unheard = true;
       if (const Seat* seat = seats_.find(station.seat); desk_ && seat != nullptr)

@@ -12,6 +12,7 @@
 #include "api/door/people/farm_output.h"
 #include "api/door/people/run_desk.h"
 #include "api/door/people/station.h"
+#include "api/door/people/ticker.h"
 #include "api/door/people/told.h"
 
 namespace slackwater::people {
@@ -63,7 +64,6 @@ class Session final : public api::http::WebSocketHandler {
  private:
   using Socket = const api::http::WebSocket*;
   [[nodiscard]] Milliseconds clock() const;
-  void tick_on(const std::stop_token& over);
   /// @return whether there will be another one: not once the run is over
   bool tick();
   void look_at_run(const twin::RunControl& control);
@@ -116,7 +116,7 @@ class Session final : public api::http::WebSocketHandler {
   std::unique_ptr<RunLook> look_;
   std::chrono::steady_clock::time_point looked_at_{};
 
-  std::jthread ticker_;  ///< goes first
+  Ticker ticker_;  ///< goes first
 };
 
 }  // namespace slackwater::people

@@ -13,11 +13,7 @@ constexpr std::size_t rows_in_welcome = 100;
 
 }  // namespace
 
-void Session::tell(Station& station, const json& json) {
-  if (station.is_turned_out) return;
-  // What a station must know to be right is never dropped; it is turned out by its silence instead.
-  (void)station.socket->send({true, text_of(json), nullptr, Worth::essential});
-}
+void Session::tell(Station& station, const json& json) { people::tell(station, json); }
 
 void Session::tell_all(const json& json) {
   const std::string text = text_of(json);
