@@ -120,6 +120,8 @@ const Arrows& allowed_arrows_of_api() {
       {"api/door/people",
        {"api/ask/run", "api/door/dds/message", "api/door/http", "api/door/live",
         "api/door/people/page", "api/door/people/wire", "api/log"}},
+      {"api/door/people/playback",
+       {"api/door/http", "api/door/people", "api/door/people/wire", "api/log"}},
       {"api/door/sessions",
        {"api/ask/rehearse", "api/ask/run", "api/door/http", "api/door/people"}},
       {"api/door/edr/read", {}},
@@ -135,14 +137,21 @@ const Arrows& allowed_arrows_of_api() {
       {"api/made_up/demo",
        {"api/ask/morning", "api/made_up/synthetic", "api/pipeline", "api/program",
         "api/show/morning", "api/show/report"}},
-      {"api/door/cli",
-       {"api/ask/decisions",  "api/ask/history",   "api/ask/morning",  "api/ask/plan",
-        "api/ask/rehearse",   "api/ask/run",       "api/ask/windows",  "api/door/edr",
-        "api/door/foxglove",  "api/door/http",     "api/door/live",    "api/door/morning",
-        "api/door/people",    "api/door/sessions", "api/issued",       "api/log",
-        "api/made_up/demo",   "api/pipeline",      "api/program",      "api/show/coverage",
-        "api/show/decisions", "api/show/history",  "api/show/morning", "api/show/people",
-        "api/show/plan",      "api/show/rehearse", "api/show/report",  "api/show/windows"}}};
+      {"api/door/cli", {"api/ask/decisions", "api/ask/history",
+                        "api/ask/morning",   "api/ask/plan",
+                        "api/ask/rehearse",  "api/ask/run",
+                        "api/ask/windows",   "api/door/edr",
+                        "api/door/foxglove", "api/door/http",
+                        "api/door/live",     "api/door/morning",
+                        "api/door/people",   "api/door/people/playback",
+                        "api/door/sessions", "api/issued",
+                        "api/log",           "api/made_up/demo",
+                        "api/pipeline",      "api/program",
+                        "api/show/coverage", "api/show/decisions",
+                        "api/show/history",  "api/show/morning",
+                        "api/show/people",   "api/show/plan",
+                        "api/show/rehearse", "api/show/report",
+                        "api/show/windows"}}};
   return arrows;
 }
 

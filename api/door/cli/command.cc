@@ -155,6 +155,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_decide(app, context);
   add_decisions(app, context);
   add_sessions(app, context);
+  add_watch(app, context);
   add_ais(app, context);
   add_serve(app, context);
   add_demo(app, context);

@@ -80,5 +80,6 @@ void add_report(CLI::App& app, Context& context);
 void add_decide(CLI::App& app, Context& context);
 void add_decisions(CLI::App& app, Context& context);
 void add_sessions(CLI::App& app, Context& context);
+void add_watch(CLI::App& app, Context& context);
 
 }  // namespace slackwater::api

@@ -236,6 +236,8 @@ void run_live(const LiveArguments& arguments, const Context& context) {
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   if (!context.json) {
     print_run(result, arguments.out);
+    if (people.session && !arguments.out.empty())
+      std::printf("to watch it again: slackwater watch %s\n", arguments.out.c_str());
     for (const live::PlayedBag& bag : played) std::printf("%s\n", bag.text().c_str());
     std::printf("%s\n", punctuality->text().c_str());
     recordings.expect_complete();

@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <fstream>
 
 #include "api/door/cli/command.h"
 #include "api/door/cli/serve_health.h"
+#include "api/door/cli/stop_signals.h"
 #include "api/door/edr/service.h"
 #include "api/door/http/server.h"
 #include "api/door/live/forecast_service.h"
@@ -100,26 +100,6 @@ http::Limits limits_for(std::size_t sessions_at_once) {
   limits.connections += limits.websockets;
   return limits;
 }
-
-/// Blocks SIGINT and SIGTERM for this and all later threads, so that one place waits for them.
-class StopSignals {
- public:
-  StopSignals() {
-    // Whoever reads our log may go; writing to nobody must not end the server.
-    std::signal(SIGPIPE, SIG_IGN);
-    sigemptyset(&set_);
-    sigaddset(&set_, SIGINT);
-    sigaddset(&set_, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &set_, nullptr);
-  }
-  void wait() const {
-    int signal = 0;
-    sigwait(&set_, &signal);
-  }
-
- private:
-  sigset_t set_{};
-};
 
 void run_serve(const ServeArguments& arguments, const Context& context) {
   const std::string base_url = checked_base(arguments.base_url);

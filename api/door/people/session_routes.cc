@@ -12,13 +12,6 @@ using api::http::Request;
 using api::http::Response;
 using nlohmann::json;
 
-Response json_response(const json& body) {
-  Response response;
-  response.media_type = "application/json";
-  response.body = text_of(body);
-  return response;
-}
-
 /// Scripts and connections of this server alone, and in nobody's frame.
 Response page_part(const char* media_type, std::string_view body) {
   Response response;
@@ -34,9 +27,14 @@ Response page_part(const char* media_type, std::string_view body) {
 
 }  // namespace
 
-void add_routes(api::http::Router& router, const ServedSessions& sessions) {
-  using api::http::bearer_of;
-  using api::http::PathParameters;
+Response json_response(const json& body) {
+  Response response;
+  response.media_type = "application/json";
+  response.body = text_of(body);
+  return response;
+}
+
+void add_page_routes(api::http::Router& router) {
   router.add("GET", "/session", [](const Request&) {
     return page_part("text/html; charset=utf-8", session_page_html());
   });
@@ -46,6 +44,12 @@ void add_routes(api::http::Router& router, const ServedSessions& sessions) {
   router.add("GET", "/session/page.css", [](const Request&) {
     return page_part("text/css; charset=utf-8", session_page_style());
   });
+}
+
+void add_routes(api::http::Router& router, const ServedSessions& sessions) {
+  using api::http::bearer_of;
+  using api::http::PathParameters;
+  add_page_routes(router);
   router.add("GET", "/sessions",
              [list = sessions.list](const Request&) { return json_response(list()); });
   const std::string path = "/sessions/{session}";

@@ -9,6 +9,11 @@
 
 namespace slackwater::people {
 
+[[nodiscard]] api::http::Response json_response(const nlohmann::json& body);
+
+/// The page /session itself: of whatever is served beside it.
+void add_page_routes(api::http::Router& router);
+
 /// The sessions of a server. Called from any thread.
 struct ServedSessions {
   std::function<nlohmann::json()> list;  ///< the answer to `GET /sessions`

@@ -62,8 +62,9 @@ std::string FrameFlow::next(std::span<const Pose> now, FrameHead head) {
       sent_[i] = now[i];
     changed.push_back(now[i]);
   }
-  if (changed.empty() && head.clock_ms < sent_ms_ + least_often_ms) return {};
+  if (changed.empty() && !is_due_ && head.clock_ms < sent_ms_ + least_often_ms) return {};
   sent_ms_ = head.clock_ms;
+  is_due_ = false;
   head.number = ++number_;
   head.left_out = left_out_;
   left_out_ = 0;

@@ -29,6 +29,11 @@ class FrameFlow {
 
   /// The next frame; empty: the station does not keep up, or nothing is new for it.
   [[nodiscard]] std::string next(std::span<const Pose> now, FrameHead head);
+  /// What the station has is of another moment: the next frame is whole, and due at once.
+  void begin_again() noexcept {
+    sent_.clear();
+    is_due_ = true;
+  }
   /// @return whether there is such a frame
   bool saw(std::uint32_t frame) noexcept;
   /// Frames that were left out since it was asked last.
@@ -40,6 +45,7 @@ class FrameFlow {
   std::uint32_t left_out_ = 0;  ///< since the last frame
   std::uint32_t untold_ = 0;
   std::uint64_t sent_ms_ = 0;
+  bool is_due_ = false;
 };
 
 }  // namespace slackwater::people

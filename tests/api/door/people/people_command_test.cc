@@ -77,6 +77,8 @@ TEST_F(PeopleCommand, LeavesALogThatReplaysAndARecordThatIsListed) {
   ASSERT_EQ(program->end(SIGTERM), 0) << text_in(folder / "err");
   EXPECT_EQ(station.closed(), 4000);
   EXPECT_FALSE(contains(text_in(folder / "err"), ann)) << "a token is in no log";
+  EXPECT_TRUE(contains(text_in(folder / "out"),
+                       "to watch it again: slackwater watch " + (folder / "log.nc").string()));
   const ProgramResult replayed = slackwater({"replay", folder / "log.nc"});
   EXPECT_EQ(replayed.exit_code, 0) << replayed.err << replayed.out;
   const ProgramResult listed = slackwater({"sessions"});

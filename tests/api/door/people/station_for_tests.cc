@@ -74,6 +74,9 @@ StationClient::StationClient(const ServerPlace& place, const std::string& token,
     : socket_(place, "/sessions/" + session + "/socket", "slackwater.session.v1, bearer." + token,
               field_lines) {}
 
+StationClient::StationClient(const AtLog& log, const std::string& field_lines)
+    : socket_(log.port, "/sessions/log/socket", "slackwater.session.v1", field_lines) {}
+
 int StationClient::says(json message) {
   message["id"] = next_id_;
   (void)socket_.send_text(message.dump());

@@ -57,6 +57,11 @@ class StationClient {
       : StationClient(session.port(), token, field_lines) {}
   StationClient(const ServerPlace& place, const std::string& token,
                 const std::string& field_lines = {}, const std::string& session = "run");
+  /// At a recording, which asks for no token.
+  struct AtLog {
+    std::uint16_t port = 0;
+  };
+  explicit StationClient(const AtLog& log, const std::string& field_lines = {});
 
   [[nodiscard]] int status() const { return socket_.handshake().status; }
   [[nodiscard]] const HttpReply& handshake() const { return socket_.handshake(); }
