@@ -1,7 +1,7 @@
 // The page /session, put together. The server is the only truth: what is shown here was told by it.
 import { Driver, TICK_MS } from './drive/driver';
 import { PadReader } from './drive/gamepad';
-import { Keys, listen_to_keys } from './drive/keys';
+import { Keys, leaves_keys_alone, listen_to_keys } from './drive/keys';
 import { Stick } from './drive/stick';
 import { button, by_id, set_hidden } from './look/element';
 import { notice } from './look/notice';
@@ -14,6 +14,7 @@ import { join_form } from './panel/join_form';
 import { log_panel } from './panel/log_panel';
 import { orders_bar } from './panel/orders_bar';
 import { people_panel } from './panel/people_panel';
+import { playback_bar } from './panel/playback_bar';
 import { settings_dialog } from './panel/settings_dialog';
 import { state_panel } from './panel/state_panel';
 import { supervise_panel } from './panel/supervise_panel';
@@ -92,7 +93,8 @@ const supervise = supervise_panel(station);
 const camera = camera_panel(station);
 const weather = weather_panel(station);
 const people = people_panel(station);
-const log = log_panel(station);
+const playback = playback_bar(station);
+const log = log_panel(station, (time_s) => playback.seek(time_s));
 const panels: Panel[] = [
   top,
   table,
@@ -105,6 +107,7 @@ const panels: Panel[] = [
   supervise,
   weather,
   people,
+  playback,
   log,
 ];
 
@@ -186,6 +189,7 @@ by_id('top').append(top.box);
 by_id('join').append(join.box);
 by_id('chosen').append(helm.box, state.box, drive.box, camera.box, way.box, supervise.box);
 by_id('around').append(table.box, weather.box, people.box, log.box);
+by_id('playback').append(playback.box);
 by_id('orders').append(drive.touch_box, orders.box);
 document.body.append(dialog);
 
@@ -211,6 +215,8 @@ addEventListener('keydown', (event) => {
   ) {
     if (station.has_helm() || station.is_supervisor()) orders.hold();
   }
+  const plays = event.code === 'Space' && !event.repeat && station.session.playback !== null;
+  if (plays && leaves_keys_alone(document.activeElement)) playback.toggle();
 });
 // A button or box that was clicked gives the keys back, so that Space is the dead-man again.
 document.addEventListener('click', (event) => {
@@ -250,7 +256,9 @@ function draw(): void {
 function show_panels(): void {
   const is_in = link.is === 'seated' || link.is === 'cut';
   set_hidden(by_id('live'), !is_in);
-  set_hidden(by_id('orders'), !is_in);
+  const is_live = station.session.playback === null;
+  set_hidden(by_id('orders'), !is_in || !is_live);
+  if (!is_in || is_live) set_hidden(by_id('playback'), true);
   set_hidden(by_id('join'), is_in);
   if (is_in) for (const panel of panels) panel.show();
   else top.show();
@@ -272,6 +280,7 @@ function take_link(now: LinkState): void {
   const before = link;
   link = now;
   station.forget_answers();
+  playback.forget();
   if (now.is === 'off') {
     station.session = empty_session();
     station.chosen = null;
@@ -298,13 +307,19 @@ function take_message(message: Json): void {
   const alarms_before = new Map(session.alarms);
   const led_now = (): string | undefined => session.weather?.led.join();
   const led_before = led_now();
+  const head_before_s = session.playback === null ? null : session.run.time_s;
   tell(session, message);
   switch (message.is) {
     case 'welcome':
       if (typeof message.number === 'number') station.numbers.heard(message.number);
       station.frame_came_ms = Number.NaN;
+      if (session.playback !== null) {
+        tracks.clear();
+        if (head_before_s !== null) playback.seek(head_before_s); // back after a cut
+      }
       if (station.chosen === null || !session.vehicles.has(station.chosen)) choose_first();
-      if (seat_before !== null && seat_before !== session.seat) {
+      if (session.playback !== null) notice('This is a recording. Nothing in it can be changed.');
+      else if (seat_before !== null && seat_before !== session.seat) {
         notice(
           `The old seat is gone, and the helms with it. You have a new one as ${session.role}.`,
           'alarm',
@@ -323,7 +338,7 @@ function take_message(message: Json): void {
         now?.state !== helm_before?.state ||
         now?.holder !== helm_before?.holder ||
         now?.asker !== helm_before?.asker;
-      if (now === undefined || !is_other) break;
+      if (now === undefined || !is_other || session.playback !== null) break;
       const vehicle = vehicle_name(session, now.vehicle);
       const words = `${vehicle}: ${helm_words(session, now, Number.NaN).state}`;
       // Whose helm was taken back is told why, at once and in plain sight.
@@ -356,6 +371,10 @@ function take_message(message: Json): void {
     case 'weather':
       if (session.weather !== null && led_before !== undefined && led_now() !== led_before)
         notice(led_text(session.weather));
+      break;
+    case 'seen':
+      tracks.clear();
+      canvases_are_old = true;
       break;
     case 'said': {
       const last = session.said[session.said.length - 1];

@@ -13,8 +13,10 @@ export interface HelmWords {
 
 /** What a person at this seat reads. */
 export function helm_words(session: Session, helm: Helm | undefined, clock_ms: number): HelmWords {
-  if (helm === undefined || helm.state === 'free')
-    return { state: 'Nobody drives. Whoever asks gets the helm.', countdown: '' };
+  if (helm === undefined || helm.state === 'free') {
+    const asks = session.playback === null ? ' Whoever asks gets the helm.' : '';
+    return { state: `Nobody drives.${asks}`, countdown: '' };
+  }
   const is_mine = helm.holder !== null && helm.holder === session.seat;
   const i_ask = helm.asker !== null && helm.asker === session.seat;
   const holder = is_mine ? 'You' : holder_name(session, helm.holder);
@@ -137,7 +139,7 @@ export function helm_panel(station: Station): Panel {
       const mine = station.has_helm();
       const i_ask = helm?.asker !== null && helm?.asker === session.seat;
       const is_free = helm === undefined || helm.state === 'free';
-      set_hidden(only_looks, session.role !== 'spectator');
+      set_hidden(only_looks, session.role !== 'spectator' || session.playback !== null);
       set_hidden(ask, !may || mine);
       set_disabled(ask, i_ask);
       set_text(

@@ -31,6 +31,11 @@ export function join_form(
   const problem = element('p', { class: 'problem', role: 'alert' });
   set_hidden(problem, true);
 
+  // A log that is watched again is open to whoever is at this machine.
+  let recorded = new Set<string>();
+  let is_first = true;
+  const is_recorded = (): boolean => recorded.has(sessions.value);
+
   const begins = element('div', {
     class: 'buttons',
     role: 'group',
@@ -56,9 +61,13 @@ export function join_form(
       sessions.replaceChildren(
         ...listed.map((it) => element('option', { value: it.id }, session_label(it, listed))),
       );
+      recorded = new Set(listed.filter((it) => it.state === 'recorded').map((it) => it.id));
       const missing = all.find((it) => [wanted, begun].includes(it.id) && !listed.includes(it));
       choose(listed, before);
       show_begins(may_begin);
+      show_fields();
+      if (is_first && listed.length === 1 && is_recorded()) on_join(sessions.value, '', '');
+      is_first = false;
       if (missing?.state === 'failed') tell(`${missing.name} has failed: ${missing.why}.`);
       else if (missing !== undefined) tell(`${missing.name} is ${missing.state}.`);
       else if (listed.length === 0)
@@ -116,17 +125,29 @@ export function join_form(
     return null;
   };
 
+  const name_field = labelled(
+    'Your name',
+    name,
+    'The others see it. A token that carries a name keeps its own.',
+  );
+  const token_field = labelled(
+    'Token',
+    token,
+    'As it was given to you. It says whether you look on, drive or supervise.',
+  );
+  const show_fields = (): void => {
+    set_hidden(name_field, is_recorded());
+    set_hidden(token_field, is_recorded());
+    token.required = !is_recorded();
+  };
+  sessions.addEventListener('change', show_fields);
   const form = element(
     'form',
     { class: 'join' },
     element('h2', {}, 'Join a session'),
     labelled('Session', sessions),
-    labelled('Your name', name, 'The others see it. A token that carries a name keeps its own.'),
-    labelled(
-      'Token',
-      token,
-      'As it was given to you. It says whether you look on, drive or supervise.',
-    ),
+    name_field,
+    token_field,
     problem,
     element(
       'div',
@@ -140,6 +161,10 @@ export function join_form(
     event.preventDefault();
     if (sessions.value === '') {
       tell('Choose a session first.');
+      return;
+    }
+    if (is_recorded()) {
+      on_join(sessions.value, '', '');
       return;
     }
     const secret = read_token();

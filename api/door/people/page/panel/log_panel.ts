@@ -1,15 +1,17 @@
 // The record of this run: each action, taken or refused, the last on top.
-import { scroll_region, element, labelled } from '../look/element';
+import { button, element, labelled, scroll_region } from '../look/element';
 import { zone_of } from '../look/settings';
 import { time_text } from '../look/units';
 import type { Action } from '../session/message';
+import { time_of } from '../session/playback';
 import { vehicle_name } from '../session/state';
 import type { Panel, Station } from '../station';
 import { plain } from './state_panel';
 
 const ROWS_SHOWN = 150;
 
-export function log_panel(station: Station): Panel {
+/** @param seek  of a recording: to the time of the row that was pressed */
+export function log_panel(station: Station, seek: (time_s: number) => void): Panel {
   const filter = element('select');
   const only_refused = element('input', { type: 'checkbox' });
   const list = element('ol', { class: 'log' });
@@ -28,6 +30,8 @@ export function log_panel(station: Station): Panel {
   );
   let shown = '';
   let listed = '';
+  const rows_of = new Map<number, HTMLElement>();
+  let head: HTMLElement | null = null;
 
   return {
     box,
@@ -56,23 +60,65 @@ export function log_panel(station: Station): Panel {
         only_refused.checked,
         settings,
         options,
+        session.playback !== null,
+        session.start_utc_ms,
       ]);
-      if (key === shown) return;
+      if (key === shown) {
+        show_head();
+        return;
+      }
       shown = key;
       const wanted = filter.value === '' ? null : vehicle_name(session, Number(filter.value));
       const rows = session.actions
         .filter((it) => wanted === null || vehicle_name(session, it.vehicle) === wanted)
-        .filter((it) => !only_refused.checked || !it.taken)
-        .slice(-ROWS_SHOWN)
-        .reverse();
-      list.replaceChildren(...rows.map((it) => row(it)));
+        .filter((it) => !only_refused.checked || !it.taken);
+      rows_of.clear();
+      head = null;
+      // A recording is read from its beginning, a run under way from now.
+      const shown_rows = session.playback === null ? rows.slice(-ROWS_SHOWN).reverse() : rows;
+      list.replaceChildren(
+        ...shown_rows.map((it) => {
+          const made = row(it);
+          rows_of.set(it.number, made);
+          return made;
+        }),
+      );
       if (rows.length === 0) list.append(element('li', { class: 'note' }, 'Nothing yet.'));
+      show_head();
     },
   };
 
+  /** The last row before the head of a recording, kept in sight. */
+  function show_head(): void {
+    const { playback } = station.session;
+    if (playback === null) return;
+    let now: HTMLElement | null = null;
+    for (const [number, made] of rows_of) {
+      if (number > playback.seen) break;
+      now = made;
+    }
+    if (now === head) return;
+    head?.classList.remove('head');
+    head?.removeAttribute('aria-current');
+    head = now;
+    if (head === null) {
+      scroll.scrollTop = 0;
+      return;
+    }
+    head.classList.add('head');
+    head.setAttribute('aria-current', 'true');
+    const above_px = head.offsetTop - list.offsetTop;
+    const is_in_sight =
+      above_px >= scroll.scrollTop &&
+      above_px + head.offsetHeight <= scroll.scrollTop + scroll.clientHeight;
+    if (!is_in_sight) scroll.scrollTop = above_px - scroll.clientHeight / 3;
+  }
+
   function row(action: Action): HTMLElement {
     const { session, settings } = station;
-    const at_ms = Date.parse(action.at);
+    const { playback } = session;
+    const at_ms =
+      playback === null ? Date.parse(action.at) : session.start_utc_ms + 1000 * action.time_s;
     const when = Number.isNaN(at_ms)
       ? `${action.time_s.toFixed(0)} s`
       : time_text(at_ms, zone_of(settings), true);
@@ -86,11 +132,19 @@ export function log_panel(station: Station): Panel {
     const made = element(
       'li',
       {},
-      element('span', { class: 'when' }, when),
+      playback === null
+        ? element('span', { class: 'when' }, when)
+        : button(when, () => seek(time_of(action, playback)), { class: 'when' }),
       ' ',
       element('strong', {}, action.who || 'the server'),
       ` ${plain(action.what)}${vehicle === '' ? '' : ` ${vehicle}`}${change}`,
     );
+    if (playback !== null) {
+      made.classList.add('leads');
+      made.addEventListener('click', (event) => {
+        if (!(event.target instanceof HTMLButtonElement)) seek(time_of(action, playback));
+      });
+    }
     if (!action.taken) {
       made.classList.add('refused');
       made.append(

@@ -44,6 +44,7 @@ export function people_panel(station: Station): Panel {
     box,
     show: () => {
       const { session } = station;
+      set_hidden(box, session.playback !== null); // nobody is there any more
       const lines = [...session.seats.values()].map((seat) => {
         const you = seat.seat === session.seat ? ' (you)' : '';
         const left =

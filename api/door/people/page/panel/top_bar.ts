@@ -2,6 +2,7 @@
 import { button, element, set_hidden, set_text } from '../look/element';
 import { zone_of } from '../look/settings';
 import { age_grade, age_text, seconds_left, time_text } from '../look/units';
+import { rate_text } from '../session/playback';
 import { holder_name, run_utc_ms, type Session } from '../session/state';
 import type { LinkState } from '../session/wire';
 import type { Panel, Station } from '../station';
@@ -15,6 +16,10 @@ export function run_text(session: Session): string {
       return `Paused${by}`;
     case 'stalled':
       return `Stalled${by}`;
+    case 'recorded':
+      return session.run.is_playing
+        ? `Recording, plays ${rate_text(session.run.rate)}`
+        : 'Recording, paused';
     case 'over':
       return 'Over';
     default:
@@ -53,6 +58,8 @@ export function top_bar(
       const state = link();
       const is_in = state.is === 'seated' || state.is === 'cut';
       for (const it of [run, time, age, who, leave_button]) set_hidden(it, !is_in);
+      const is_recorded = session.playback !== null;
+      for (const it of [age, who, leave_button]) if (is_recorded) set_hidden(it, true);
       set_text(title, is_in && session.id !== '' ? session.id : 'Session');
       set_text(run, run_text(session));
       run.dataset.state = session.run.state;
@@ -71,8 +78,9 @@ export function top_bar(
       if (state.is === 'cut') {
         const left = seconds_left(state.kept_until_ms, performance.now());
         // Each 5 s in words: a reader is not told each second.
-        const seat =
-          left > 0
+        const seat = is_recorded
+          ? ''
+          : left > 0
             ? `Your seat is kept ${left > 5 ? Math.ceil(left / 5) * 5 : left} s.`
             : 'Your seat may be gone; you then get a new one.';
         set_text(cut, `No link. Trying again. ${seat}`);

@@ -78,9 +78,12 @@ export function vehicle_table(station: Station, choose: (vehicle: number) => voi
                 ),
                 percent_text(pose.charge),
               ];
+        const is_absent = session.playback !== null && pose === undefined;
         set_text(
           helm_note,
-          helm_words + (pose?.halted ? ', halted' : '') + (alarms ? ', traffic alarm' : ''),
+          is_absent
+            ? 'not there'
+            : helm_words + (pose?.halted ? ', halted' : '') + (alarms ? ', traffic alarm' : ''),
         );
         cells.forEach((cell, i) => set_text(cell, words[i] ?? ''));
       }

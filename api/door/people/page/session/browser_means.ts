@@ -7,7 +7,7 @@ import { read_session_list, type SessionList } from './session_list';
 async function check(session_id: string, token: string): Promise<Check> {
   try {
     const answer = await fetch(`/sessions/${encodeURIComponent(session_id)}/check`, {
-      headers: { Authorization: `Bearer ${token}` },
+      headers: token === '' ? {} : { Authorization: `Bearer ${token}` },
       cache: 'no-store',
       credentials: 'omit',
       signal: AbortSignal.timeout(4000),

@@ -1,6 +1,8 @@
 // What the server says, read from JSON with suspicion: a field that is missing or of another kind
 // becomes null or empty, one that is not known is left out. api/docs/session.md is the contract.
 
+import type { Playback } from './playback';
+
 export type Json = Record<string, unknown>;
 export type Role = 'spectator' | 'operator' | 'supervisor';
 /** A seat's number, or the name of an agent. */
@@ -62,6 +64,9 @@ export interface Run {
   state: string;
   by: Holder | null;
   time_s: number;
+  /** Of a recording; a live run goes at its own pace. */
+  is_playing: boolean;
+  rate: number;
 }
 export interface Limit {
   name: string;
@@ -254,7 +259,13 @@ export function read_helms(value: unknown): Helm[] {
   return list_of(value, read_helm);
 }
 export function read_run(it: Json): Run {
-  return { state: as_text(it.state), by: holder_of(it.by), time_s: as_number(it.time_s) ?? 0 };
+  return {
+    state: as_text(it.state),
+    by: holder_of(it.by),
+    time_s: as_number(it.time_s) ?? 0,
+    is_playing: it.is_playing === true,
+    rate: as_number(it.rate) ?? 1,
+  };
 }
 /** A word of the wire; `none` says that there is nothing to say. */
 function word_of(value: unknown): string {
@@ -331,6 +342,13 @@ export function read_action(it: Json): Action | null {
 }
 export function read_actions(value: unknown): Action[] {
   return list_of(value, read_action);
+}
+export function read_playback(message: Json): Playback | null {
+  const it = as_object(message.playback);
+  const from_s = as_number(it?.from_s);
+  const to_s = as_number(it?.to_s);
+  if (from_s === null || to_s === null) return null;
+  return { from_s, to_s, seen: as_number(message.seen) ?? 0 };
 }
 export function read_answer(it: Json): Answer | null {
   const id = as_number(it.id);

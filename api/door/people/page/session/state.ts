@@ -16,6 +16,7 @@ import type {
   Structure,
   Vehicle,
 } from './message';
+import type { Playback } from './playback';
 
 const ACTIONS_KEPT = 400;
 const WORDS_KEPT = 50;
@@ -46,6 +47,8 @@ export interface Session {
   said: Said[];
   frame: Frame | null;
   frames_left_out: number;
+  /** Of a log that is watched again; null: the run is live. */
+  playback: Playback | null;
 }
 
 export function empty_session(): Session {
@@ -59,7 +62,7 @@ export function empty_session(): Session {
     vehicles: new Map(),
     structures: [],
     seats: new Map(),
-    run: { state: '', by: null, time_s: 0 },
+    run: { state: '', by: null, time_s: 0, is_playing: false, rate: 1 },
     helms: new Map(),
     statuses: new Map(),
     poses: new Map(),
@@ -70,6 +73,7 @@ export function empty_session(): Session {
     said: [],
     frame: null,
     frames_left_out: 0,
+    playback: null,
   };
 }
 
@@ -110,8 +114,12 @@ export function tell(session: Session, message: Json): boolean {
     case 'action': {
       const action = read.read_action(read.as_object(message.action) ?? message);
       if (action !== null) add_action(session, action);
+      if (action !== null && session.playback !== null) session.playback.seen = action.number;
       return true;
     }
+    case 'seen':
+      if (session.playback !== null) session.playback.seen = read.as_number(message.number) ?? 0;
+      return true;
     case 'said': {
       const name = holder_name(session, read.as_number(message.seat));
       session.said.push({ name, text: read.as_text(message.text) });
@@ -168,11 +176,15 @@ function welcome(session: Session, message: Json): void {
   for (const status of read.read_statuses(message.status)) take_status(session, status);
   if (before !== session.seat) session.said = [];
   session.actions = [];
-  for (const action of read.read_actions(message.actions)) add_action(session, action);
+  session.playback = read.read_playback(message);
+  // All of a recording's are told at once, in their order.
+  if (session.playback !== null) session.actions = read.read_actions(message.actions);
+  else for (const action of read.read_actions(message.actions)) add_action(session, action);
 }
 
 function add_action(session: Session, action: Action): void {
-  if (session.actions.some((it) => it.number === action.number)) return;
+  if (session.playback !== null || session.actions.some((it) => it.number === action.number))
+    return;
   session.actions.push(action);
   session.actions.sort((a, b) => a.number - b.number);
   session.actions = session.actions.slice(-ACTIONS_KEPT);

@@ -179,7 +179,9 @@ export class Wire {
       this.lost('The server is out of reach.');
       return;
     }
-    const socket = this.means.open(this.session_id, [PROTOCOL, `bearer.${this.token}`]);
+    // A recording asks for no token.
+    const bearer = this.token === '' ? [] : [`bearer.${this.token}`];
+    const socket = this.means.open(this.session_id, [PROTOCOL, ...bearer]);
     this.socket = socket;
     this.bye = '';
     socket.binaryType = 'arraybuffer';

@@ -295,3 +295,10 @@ test('BackoffGrowsToFourSecondsAndNoFurther', () => {
   );
   assert.equal(backoff_ms(4, 1), 3000);
 });
+
+test('ARecordingIsJoinedWithoutAToken', async () => {
+  const world = new World();
+  world.wire.join('log', '', '');
+  await world.pass(0);
+  assert.deepEqual(world.socket.protocols, ['slackwater.session.v1']);
+});
