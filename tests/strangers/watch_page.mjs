@@ -209,19 +209,19 @@ const watching = {
     await reads(".run", /^Recording, paused/);
     const [at_s, end_s] = [await head(), await end()];
     assert.equal(at_s, end_s);
+    await reads("#notice", /^The recording is at its end/);
     await until("the last row", () => document.querySelector(".log li:last-child").ariaCurrent === "true");
     return `${at_s} s`;
   },
 
   async "axe-core finds nothing, and nothing is wider than its window"() {
-    await page.evaluate(() => document.querySelectorAll(".log button")[9].click());
-    await sleep(500);
     await page.select("#playback select", "10");
     await page.focus("#plan");
-    await page.keyboard.press("Space");
-    await sleep(700);
+    await page.keyboard.press("Space"); // at its end: from the beginning
+    await until("what is looked at", () => /^0:4/.test(document.querySelector(".way-text").textContent));
     await page.keyboard.press("Space");
     await reads(".run", /^Recording, paused/);
+    await page.evaluate(() => document.activeElement.blur());
     await page.evaluate(axe);
     let looks = 0;
     for (const palette of ["day", "dusk", "night"])
@@ -241,6 +241,10 @@ const watching = {
         assert.deepEqual(faults, [], `${palette}, ${width} px`);
         const wide = await page.evaluate(() => document.documentElement.scrollWidth);
         assert(wide <= width, `${palette}: ${wide} px wide in a window of ${width}`);
+        const outside = await page.$$eval("#playback button, #playback select, #playback input", (all) =>
+          all.filter((it) => it.getBoundingClientRect().right > innerWidth || it.scrollWidth > it.clientWidth + 1).map((it) => it.textContent || it.type),
+        );
+        assert.deepEqual(outside, [], `${palette}, ${width} px`);
         await page.screenshot({ path: join(work, `watch-${palette}-${width}.png`) });
         looks += 1;
       }

@@ -41,6 +41,7 @@ void run_watch(const WatchArguments& arguments, const Context& context) {
   std::fflush(stdout);
   stop.wait();
   playback->end();
+  playback->wait_for_farewells(std::chrono::seconds(1));
   server.stop();
 }
 

@@ -35,6 +35,7 @@ import { PlanView } from './view/plan_view';
 import { Tracks } from './view/tracks';
 
 const PANELS_EVERY_MS = 100;
+const RECORDING = 'This is a recording. Nothing in it can be changed.';
 
 by_id('built-without').remove();
 const settings = load_settings();
@@ -44,6 +45,7 @@ let link: LinkState = { is: 'off', text: '' };
 let seat_token: string | null = null;
 let canvases_are_old = true;
 let left_out_told_ms = -Infinity;
+let is_end_told = false;
 
 const wire = new Wire(browser_means, {
   on_state: take_link,
@@ -297,6 +299,15 @@ function take_link(now: LinkState): void {
   show_panels();
 }
 
+/** Play and pause are seen where they are pressed; that a recording stops by itself is told. */
+function tell_end(to_s: number): void {
+  const { is_playing, time_s } = station.session.run;
+  const is_at_end = !is_playing && time_s >= to_s;
+  if (is_at_end === is_end_told) return;
+  is_end_told = is_at_end;
+  notice(is_at_end ? 'The recording is at its end.' : RECORDING);
+}
+
 function take_message(message: Json): void {
   const { session } = station;
   const seats_before = new Map(session.seats);
@@ -318,7 +329,7 @@ function take_message(message: Json): void {
         if (head_before_s !== null) playback.seek(head_before_s); // back after a cut
       }
       if (station.chosen === null || !session.vehicles.has(station.chosen)) choose_first();
-      if (session.playback !== null) notice('This is a recording. Nothing in it can be changed.');
+      if (session.playback !== null) notice(RECORDING);
       else if (seat_before !== null && seat_before !== session.seat) {
         notice(
           `The old seat is gone, and the helms with it. You have a new one as ${session.role}.`,
@@ -350,7 +361,8 @@ function take_message(message: Json): void {
       break;
     }
     case 'run':
-      if (run_text(session) !== run_before) notice(`${run_text(session)}.`);
+      if (session.playback !== null) tell_end(session.playback.to_s);
+      else if (run_text(session) !== run_before) notice(`${run_text(session)}.`);
       break;
     case 'seats':
       for (const seat of session.seats.values()) {

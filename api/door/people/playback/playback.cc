@@ -59,6 +59,11 @@ void Playback::end() {
     turn_out(viewer, {CloseCode::over, "the log is not served any more"});
 }
 
+void Playback::wait_for_farewells(std::chrono::milliseconds most) {
+  std::unique_lock lock(mutex_);
+  gone_.wait_for(lock, most, [&] { return viewers_.empty(); });
+}
+
 Milliseconds Playback::clock() const {
   return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() -
                                                                began_)
@@ -114,6 +119,7 @@ void Playback::received_bytes(WebSocket& socket, std::span<const std::uint8_t>) 
 void Playback::closed(WebSocket& socket) {
   const std::lock_guard lock(mutex_);
   viewers_.erase(&socket);
+  gone_.notify_all();
 }
 
 void Playback::heard(Viewer& viewer, const StationSays& says) {

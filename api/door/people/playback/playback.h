@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <condition_variable>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -25,6 +26,8 @@ class Playback final : public api::http::WebSocketHandler {
   ~Playback() override;
   /// Tells the stations that it is over, and closes them.
   void end();
+  /// Until they have all gone, or the time is over: a server that stops cuts off what is unsaid.
+  void wait_for_farewells(std::chrono::milliseconds most);
 
   /// Of `GET /sessions`.
   [[nodiscard]] nlohmann::json summary() const;
@@ -74,6 +77,7 @@ class Playback final : public api::http::WebSocketHandler {
   std::chrono::steady_clock::time_point began_;
 
   std::mutex mutex_;
+  std::condition_variable gone_;
   std::map<Socket, Viewer> viewers_;
   bool is_over_ = false;
 

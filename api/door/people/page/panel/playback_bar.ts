@@ -74,7 +74,8 @@ export function playback_bar(station: Station): PlaybackBar {
   const legend = element(
     'p',
     { class: 'note legend' },
-    '▼ an action, × one that was refused. Space plays and pauses.',
+    '▼ an action, × one that was refused.',
+    element('span', { class: 'space-hint' }, ' Space plays and pauses.'),
   );
   const box = element(
     'div',
@@ -137,6 +138,7 @@ export function playback_bar(station: Station): PlaybackBar {
     const ready = ready_canvas(marks);
     if (ready === null || session.playback === null) return;
     const { context, width, height } = ready;
+    const lane = height / 2; // those refused above, those taken below
     const c = colours();
     for (const action of session.actions) {
       const share = share_of(time_of(action, session.playback), session.playback);
@@ -144,9 +146,9 @@ export function playback_bar(station: Station): PlaybackBar {
       if (action.taken) {
         context.fillStyle = c.accent;
         context.beginPath();
-        context.moveTo(x - 5, 2);
-        context.lineTo(x + 5, 2);
-        context.lineTo(x, height - 2);
+        context.moveTo(x - 5, lane + 1);
+        context.lineTo(x + 5, lane + 1);
+        context.lineTo(x, height - 1);
         context.fill();
         continue;
       }
@@ -154,8 +156,8 @@ export function playback_bar(station: Station): PlaybackBar {
         line(
           context,
           [
-            { x: x - 5, y: height / 2 - 5 * slope },
-            { x: x + 5, y: height / 2 + 5 * slope },
+            { x: x - 4, y: lane / 2 - 4 * slope },
+            { x: x + 4, y: lane / 2 + 4 * slope },
           ],
           c.alarm,
           2.5,
