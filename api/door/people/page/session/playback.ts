@@ -24,7 +24,7 @@ export function share_of(time_s: number, { from_s, to_s }: Playback): number {
   return to_s > from_s ? Math.min(1, Math.max(0, (time_s - from_s) / (to_s - from_s))) : 0;
 }
 
-/** What an arrow key moves the head: a hundredth of the way, or near that, and a second at least. */
+/** What an arrow key moves the head: about a hundredth of the way, and a second at least. */
 export function key_step_s({ from_s, to_s }: Playback): number {
   const wanted_s = (to_s - from_s) / 100;
   return STEPS_OF_A_WAY.filter((it) => it <= wanted_s).at(-1) ?? 1;
