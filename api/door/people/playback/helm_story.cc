@@ -103,6 +103,13 @@ class Teller {
     // It was not heard for a while, and then it was: that leaves no row of its own.
     if (!is_loss && row.seat == seat_ && now_.phase == HelmPhase::lost)
       now_.phase = HelmPhase::held;
+    const bool is_end =
+        what == "lease over" || what == "helm ended" || (what == "give_back" && row.seat == seat_);
+    // A supervisor's HOLD takes the helm.
+    const bool is_taken =
+        what == "helm got" || what == "take_back" || (is_order(what) && row.seat != seat_);
+    if (is_end) return free();
+    if (is_taken) return hold(row);
     if (what == "ask") {
       if (row.after == name_of(HelmPhase::held) && row.seat != seat_) return hold(row);
       if (row.after != name_of(HelmPhase::requested)) return;
@@ -114,21 +121,13 @@ class Teller {
       asker.who = now_.asker;
       asker.seat = asker_seat_;
       hold(asker);
-    } else if (what == "give_back" && row.seat == seat_) {
-      free();
     } else if (what == "deny" || what == "give_back" || what == "request lapsed") {
       end_request();
     } else if (what == "raw") {
       now_.is_raw = row.after == "raw thrusters";
-    } else if (what == "lease over" || what == "helm ended") {
-      free();
     } else if (is_loss) {
       now_.is_raw = false;
       if (now_.phase != HelmPhase::requested) now_.phase = HelmPhase::lost;
-    } else if (what == "helm got" || what == "take_back") {
-      hold(row);
-    } else if (row.seat != seat_ && is_order(what)) {
-      hold(row);  // a supervisor's HOLD takes the helm
     }
   }
   void tell_of_seat(const Action& row) {

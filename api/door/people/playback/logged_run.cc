@@ -27,7 +27,7 @@ StatusPlace status_place(const LoggedVehicle& vehicle, const Moment& moment, dou
   place.task = row.task + 1;
   place.halt = row.halt;
   for (const LoggedAlarm& alarm : vehicle.alarms)
-    if (alarm.begin_s <= at_s && at_s < alarm.end_s) place.alarms.push_back(alarm.mmsi);
+    if (alarm.begin_s <= at_s && at_s <= alarm.end_s) place.alarms.push_back(alarm.mmsi);
   return place;
 }
 

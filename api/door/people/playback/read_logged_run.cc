@@ -167,15 +167,14 @@ class Models {
 
  private:
   std::shared_ptr<const twin::Vehicle> read(const std::string& model) {
-    if (!model.empty()) try {
-        return std::make_shared<const twin::Vehicle>(
-            twin::read_vehicle(twin::vehicle_file(model, folder_), folder_));
-      } catch (const Error& problem) {
-        warnings_.push_back("without the kind and size of " + model + ": " + problem.message());
-      }
-    twin::Vehicle unknown;
-    unknown.id = model;
-    return std::make_shared<const twin::Vehicle>(std::move(unknown));
+    twin::Vehicle vehicle;
+    vehicle.id = model;
+    try {
+      if (!model.empty()) vehicle = twin::read_vehicle(twin::vehicle_file(model, folder_), folder_);
+    } catch (const Error& problem) {
+      warnings_.push_back("without the kind and size of " + model + ": " + problem.message());
+    }
+    return std::make_shared<const twin::Vehicle>(std::move(vehicle));
   }
 
   std::filesystem::path folder_;

@@ -7,7 +7,9 @@
 #include <numbers>
 
 #include "api/door/people/playback/playback_routes.h"
+#include "api/log/account_tables.h"
 #include "api/log/action_tables.h"
+#include "api/log/traffic_tables.h"
 #include "fields/base/constants.h"
 #include "tests/api/door/people/station_for_tests.h"
 #include "tests/support/contains.h"
@@ -511,6 +513,46 @@ TEST(LoggedRun, OfAnotherVersionIsShownWithoutItsScenario) {
   EXPECT_EQ(run.vehicles.size(), 2U);
   ASSERT_EQ(run.warnings.size(), 1U);
   EXPECT_TRUE(contains(run.warnings[0], "structures and tasks are left out"));
+}
+
+TEST(LoggedRun, TellsPhasesAndAlarmsWhileTheyLasted) {
+  using twin::ConductEventKind;
+  TrajectoryFile log = made_up_log();
+  twin::RunAccount account;
+  account.vehicles.resize(2);
+  account.vehicles[0].mission = {
+      {5, ConductEventKind::phase_began, {}, "work", {}},
+      {10, ConductEventKind::hold_began, twin::Cause::limit, "holds", {}},
+      {20, ConductEventKind::resumed, {}, "resumes", {}},
+      {30, ConductEventKind::finished, {}, "is done", {}}};
+  twin::AlarmRecord alarm;
+  alarm.mmsi = 257000001;
+  alarm.begin_s = 12;
+  alarm.end_s = 15;
+  for (auto& table : api::account_tables(account))
+    if (table.name == "mission") log.tables.push_back(table);
+  twin::TrafficVessel vessel;
+  vessel.id = alarm.mmsi;
+  for (auto& table : api::traffic_tables({&vessel, 1}, {&alarm, 1}))
+    if (table.name == "alarm") log.tables.push_back(table);
+  const TemporaryFolder folder;
+  ingest::write_trajectories(log, folder / "log.nc");
+  const people::LoggedRun run = people::read_logged_run(folder / "log.nc", folder.path());
+  const people::LoggedVehicle& vehicle = run.vehicles[0];
+  const auto then = [&](double at_s) {
+    const people::Moment moment = people::moment_of(run.t_s, at_s);
+    return people::vehicle_then(vehicle, people::status_place(vehicle, moment, at_s));
+  };
+  EXPECT_EQ(then(4).words.phase, "");
+  EXPECT_EQ(then(6).words.phase, "work");
+  EXPECT_EQ(then(6).words.doing, "");
+  EXPECT_EQ(then(10).words.doing, "holds");
+  EXPECT_EQ(then(25).words.doing, "");
+  EXPECT_EQ(then(31).words.phase, "") << "its mission is over";
+  EXPECT_TRUE(then(11).alarms.empty());
+  ASSERT_EQ(then(13).alarms.size(), 1U);
+  EXPECT_EQ(then(13).alarms[0].id, 257000001U);
+  EXPECT_TRUE(then(16).alarms.empty());
 }
 
 // --- whose helm it was ---
