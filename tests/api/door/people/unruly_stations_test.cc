@@ -34,9 +34,9 @@ json number_of(Rng& rng) {
 
 json message_of(Rng& rng, std::int64_t number, std::int64_t now) {
   static const std::vector<std::string> words{
-      "ask",       "give_back", "allow",     "grant", "deny",  "take_back",
-      "raw",       "stick",     "thrusters", "hold",  "home",  "pause",
-      "waypoints", "resume",    "go_on",     "step",  "spawn", "fly"};
+      "ask",   "give_back", "allow", "grant", "deny",   "take_back", "raw",
+      "stick", "thrusters", "hold",  "home",  "pause",  "waypoints", "resume",
+      "go_on", "step",      "spawn", "fly",   "camera", "weather"};
   const auto pick = [&](std::size_t of) {
     return static_cast<std::size_t>(static_cast<double>(of) * rng.uniform());
   };
@@ -56,11 +56,19 @@ json message_of(Rng& rng, std::int64_t number, std::int64_t now) {
                {"east_m", 1},
                {"north_m", 1},
                {"up_m", -5},
-               {"heading_deg", 0}};
+               {"heading_deg", 0},
+               {"pan_deg", 20},
+               {"tilt_deg", 0},
+               {"zoom", 2},
+               {"wind", {{"speed_m_s", 5}, {"from_deg", 10}}},
+               {"current", nullptr},
+               {"visibility_m", 900},
+               {"over_s", 5}};
   // One thing of it is wrong, in half of them.
   if (rng.uniform() < 0.5) {
-    static const std::vector<std::string> keys{"vehicle", "number", "at",    "until", "velocity",
-                                               "share",   "places", "steps", "name",  "is_on"};
+    static const std::vector<std::string> keys{"vehicle", "number", "at",      "until", "velocity",
+                                               "share",   "places", "steps",   "name",  "is_on",
+                                               "zoom",    "wind",   "current", "over_s"};
     message[keys[pick(keys.size())]] = number_of(rng);
   }
   return message;
