@@ -65,6 +65,9 @@ std::vector<SessionAction> actions_in(const ingest::TrajectoryFile& log) {
   const auto texts = [&](const char* name) -> const std::vector<std::string>& {
     return expected(table->text(name), *table, name);
   };
+  // Logs of earlier versions have neither.
+  const std::vector<std::string>* reasons = table->text("reason");
+  const std::vector<double>* counts = table->column("count");
   std::vector<SessionAction> actions(table->rows());
   for (std::size_t i = 0; i < actions.size(); ++i) {
     SessionAction& action = actions[i];
@@ -80,9 +83,9 @@ std::vector<SessionAction> actions_in(const ingest::TrajectoryFile& log) {
     action.vehicle = texts("vehicle")[i];
     action.before = texts("before")[i];
     action.after = texts("after")[i];
-    action.reason = texts("reason")[i];
+    if (reasons != nullptr) action.reason = texts("reason")[i];
     action.why = texts("why")[i];
-    action.count = static_cast<std::uint64_t>(numbers("count")[i]);
+    if (counts != nullptr) action.count = static_cast<std::uint64_t>(numbers("count")[i]);
   }
   return actions;
 }

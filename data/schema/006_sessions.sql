@@ -20,9 +20,7 @@ CREATE TABLE session_action (
   was        TEXT    NOT NULL,
   became     TEXT    NOT NULL,
   taken      INTEGER NOT NULL CHECK (taken IN (0, 1)),
-  reason     TEXT    NOT NULL,  -- of a refusal: 'stale', 'unauthorised', ...
-  why        TEXT    NOT NULL,  -- the same in words, or why it was done
-  count      INTEGER NOT NULL CHECK (count > 0),  -- at the end of sticks: how many
+  why        TEXT    NOT NULL,
   PRIMARY KEY (session_id, number)
 ) STRICT, WITHOUT ROWID;
 

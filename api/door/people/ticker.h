@@ -5,10 +5,11 @@
 
 namespace slackwater::people {
 
-/// Twenty times a second, on a thread of its own, until it goes or the tick says it was the last. What it works on goes after it: it
-/// is the last member.
+/// Twenty times a second, on a thread of its own, until it goes or a tick says that it was the last.
+/// What it works on goes after it: it is the last member.
 class Ticker {
  public:
+  /// @param tick  returns whether there is to be another one
   explicit Ticker(std::function<bool()> tick)
       : thread_([tick = std::move(tick)](const std::stop_token& over) {
           auto next = std::chrono::steady_clock::now();

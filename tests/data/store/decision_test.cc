@@ -209,6 +209,28 @@ TEST(DecisionsOfAnOlderStore, AreRecordedAfterItsFirstOpening) {
   EXPECT_TRUE(store.check(true).sound);
 }
 
+TEST(ActionsOfAnOlderStore, HaveNoReasonAndStandForOne) {
+  const TemporaryFolder temporary;
+  const auto folder = temporary / "store";
+  std::filesystem::create_directories(folder / "files");
+  {
+    Database database = Database::open(folder / "catalogue.sqlite", Database::Access::write);
+    database.execute("PRAGMA journal_mode = WAL");
+    migrate(database, 6);
+    database.execute("INSERT INTO session (name, begun_ms) VALUES ('run', 0)");
+    database.execute(
+        "INSERT INTO session_action VALUES (1, 1, 0, 1.5, 30, 2, 'Ann', 'operator', 'ask', 'rov', "
+        "'free', 'held', 1, '')");
+  }
+  for (const OpenMode mode : {OpenMode::read_only, OpenMode::create_or_write}) {
+    const auto actions = Store::open(folder, mode).find_actions(1);
+    ASSERT_EQ(actions.size(), 1U);
+    EXPECT_EQ(actions[0].who, "Ann");
+    EXPECT_EQ(actions[0].reason, "");
+    EXPECT_EQ(actions[0].count, 1U);
+  }
+}
+
 TEST(DecidedNames, AreReadBackAndNothingElseIs) {
   for (const Decided decided : {Decided::go, Decided::no_go})
     EXPECT_EQ(decided_from(name_of(decided)), decided);

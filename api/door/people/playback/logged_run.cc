@@ -55,7 +55,7 @@ VehicleNow vehicle_then(const LoggedVehicle& vehicle, const StatusPlace& place) 
   }
   if (place.halt != twin::Halt::none) then.words.doing = "halted";
   for (const std::uint32_t mmsi : place.alarms)
-    then.alarms.push_back({mmsi, twin::AlarmStatus::held, {}});
+    then.alarms.push_back({{mmsi, twin::AlarmStatus::held, {}}, {}});
   return then;
 }
 

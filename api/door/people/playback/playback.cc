@@ -27,7 +27,10 @@ json origin_json(const std::optional<GeoPoint>& origin) {
 }  // namespace
 
 Playback::Playback(LoggedRun run)
-    : run_(std::move(run)), began_(std::chrono::steady_clock::now()), ticker_([this] { tick(); }) {
+    : run_(std::move(run)), began_(std::chrono::steady_clock::now()), ticker_([this] {
+        tick();
+        return true;
+      }) {
   const std::lock_guard lock(mutex_);
   json structures = json::array(), vehicles = json::array(), actions = json::array();
   for (std::size_t i = 0; i < run_.structures.size(); ++i)

@@ -551,7 +551,7 @@ TEST(LoggedRun, TellsPhasesAndAlarmsWhileTheyLasted) {
   EXPECT_EQ(then(31).words.phase, "") << "its mission is over";
   EXPECT_TRUE(then(11).alarms.empty());
   ASSERT_EQ(then(13).alarms.size(), 1U);
-  EXPECT_EQ(then(13).alarms[0].id, 257000001U);
+  EXPECT_EQ(then(13).alarms[0].alarm.id, 257000001U);
   EXPECT_TRUE(then(16).alarms.empty());
 }
 
