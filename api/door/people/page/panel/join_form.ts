@@ -2,6 +2,7 @@
 import { button, element, labelled, set_hidden, set_text } from '../look/element';
 import { begin_session, listed_sessions } from '../session/browser_means';
 import {
+  is_passing,
   session_label,
   session_of_address,
   to_join,
@@ -77,7 +78,7 @@ export function join_form(
             : 'There is no session now. With the token of a supervisor you may begin one.',
         );
       else if (problem.dataset.of === 'list') set_hidden(problem, true);
-      if (listed.some((it) => it.state === 'starting') && form.isConnected)
+      if (all.some((it) => is_passing(it)) && form.isConnected)
         setTimeout(() => void fill(), LOOK_AGAIN_MS);
     } catch (error) {
       tell(error instanceof Error ? error.message : 'The list of sessions could not be had.');

@@ -46,6 +46,11 @@ export function to_join(sessions: ListedSession[]): ListedSession[] {
   return sessions.filter((it) => !['ending', 'over', 'failed'].includes(it.state));
 }
 
+/** Whether it is something else in a moment. */
+export function is_passing(session: ListedSession): boolean {
+  return ['starting', 'ending'].includes(session.state);
+}
+
 /** How a session is told from the others: by its id too where two have one name. */
 export function session_label(session: ListedSession, all: ListedSession[]): string {
   const is_alone = all.filter((it) => it.name === session.name).length === 1;

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import {
+  is_passing,
   read_session_list,
   session_label,
   session_of_address,
@@ -27,6 +28,10 @@ test('WhatIsOverEndingOrFailedIsNotOfferedToJoin', () => {
   assert.deepEqual(
     to_join(sessions).map((it) => it.id),
     ['a', 'a-2'],
+  );
+  assert.deepEqual(
+    sessions.filter(is_passing).map((it) => it.id),
+    ['a-2', 'd'],
   );
   assert.equal(sessions[3]?.why, 'no forecast');
 });
