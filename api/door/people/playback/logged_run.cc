@@ -26,8 +26,9 @@ StatusPlace status_place(const LoggedVehicle& vehicle, const Moment& moment, dou
   if (!row.is_there) return place;
   place.task = row.task + 1;
   place.halt = row.halt;
-  for (const LoggedAlarm& alarm : vehicle.alarms)
-    if (alarm.begin_s <= at_s && at_s <= alarm.end_s) place.alarms.push_back(alarm.mmsi);
+  for (std::size_t i = 0; i < vehicle.alarms.size(); ++i)
+    if (vehicle.alarms[i].begin_s <= at_s && at_s <= vehicle.alarms[i].end_s)
+      place.alarms.push_back(i);
   return place;
 }
 
@@ -54,8 +55,15 @@ VehicleNow vehicle_then(const LoggedVehicle& vehicle, const StatusPlace& place) 
     then.words.cause = twin::name_of(then.cause);
   }
   if (place.halt != twin::Halt::none) then.words.doing = "halted";
-  for (const std::uint32_t mmsi : place.alarms)
-    then.alarms.push_back({{mmsi, twin::AlarmStatus::held, {}}, {}});
+  for (const std::size_t i : place.alarms) {
+    AlarmNow& now = then.alarms.emplace_back();
+    now.alarm.id = vehicle.alarms[i].mmsi;
+    now.alarm.status = twin::AlarmStatus::held;
+    // How near it was going to come the log tells of the alarm's beginning alone.
+    now.alarm.approach.distance_m = now.alarm.approach.time_s =
+        std::numeric_limits<double>::quiet_NaN();
+    now.name = vehicle.alarms[i].name;
+  }
   return then;
 }
 

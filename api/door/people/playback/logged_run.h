@@ -17,6 +17,7 @@ namespace slackwater::people {
 /// That it was near a vessel, from a time to another one.
 struct LoggedAlarm {
   std::uint32_t mmsi = 0;
+  std::string name;  ///< of the vessel; may be empty
   double begin_s = 0, end_s = 0;
 };
 
@@ -56,7 +57,7 @@ struct LoggedRun {
 struct StatusPlace {
   std::size_t helm = 0, stretch = 0, task = 0;  ///< 0: none of them yet; else its place and 1
   twin::Halt halt = twin::Halt::none;
-  std::vector<std::uint32_t> alarms;
+  std::vector<std::size_t> alarms;  ///< that stand, by their places
   bool operator==(const StatusPlace&) const = default;
 };
 [[nodiscard]] StatusPlace status_place(const LoggedVehicle& vehicle, const Moment& moment,

@@ -189,7 +189,7 @@ void Playback::welcome(Viewer& viewer, const std::string& name) {
   for (std::size_t i = 0; i < run_.vehicles.size(); ++i) {
     viewer.told.push_back(status_place(run_.vehicles[i], moment, at_s));
     helms.push_back(helm_then(i, viewer.told[i]));
-    status.push_back(status_json(i, vehicle_then(run_.vehicles[i], viewer.told[i])));
+    status.push_back(status_then(i, viewer.told[i]));
   }
   welcome["helms"] = helms;
   welcome["status"] = status;
@@ -219,7 +219,7 @@ void Playback::tell_vehicles(Viewer& viewer, double at_s) {
     StatusPlace place = status_place(run_.vehicles[i], moment, at_s);
     if (place == viewer.told[i]) continue;
     if (place.helm != viewer.told[i].helm) tell(viewer, helm_then(i, place));
-    tell(viewer, status_json(i, vehicle_then(run_.vehicles[i], place)));
+    tell(viewer, status_then(i, place));
     viewer.told[i] = std::move(place);
   }
 }
@@ -275,6 +275,12 @@ json Playback::vehicle_facts(std::size_t i) const {
   for (const char* const unknown : {"length_m", "width_m", "cruise_m_s"}) facts[unknown] = nullptr;
   facts["kind"] = "";
   return facts;
+}
+
+json Playback::status_then(std::size_t i, const StatusPlace& place) const {
+  json status = status_json(i, vehicle_then(run_.vehicles[i], place));
+  status.erase("camera");  // where it looked the log does not have
+  return status;
 }
 
 json Playback::helm_then(std::size_t i, const StatusPlace& place) const {

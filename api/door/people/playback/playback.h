@@ -69,6 +69,7 @@ class Playback final : public api::http::WebSocketHandler {
   void send_frame(Viewer& viewer, double at_s);
   [[nodiscard]] nlohmann::json run_json(const Viewer& viewer) const;
   [[nodiscard]] nlohmann::json vehicle_facts(std::size_t vehicle) const;
+  [[nodiscard]] nlohmann::json status_then(std::size_t vehicle, const StatusPlace& place) const;
   [[nodiscard]] nlohmann::json helm_then(std::size_t vehicle, const StatusPlace& place) const;
   [[nodiscard]] std::uint64_t number_of_last(std::size_t actions) const;
 

@@ -203,7 +203,8 @@ std::vector<std::vector<LoggedAlarm>> alarms_in(const TrajectoryFile& log) {
   const api::TableReader table(log, "alarm");
   table.for_each([&](std::size_t vehicle, std::size_t row) {
     alarms[vehicle].push_back({static_cast<std::uint32_t>(table.whole("mmsi", row)),
-                               table.number("begin", row), table.number("end", row)});
+                               table.word("name", row), table.number("begin", row),
+                               table.number("end", row)});
   });
   return alarms;
 }
