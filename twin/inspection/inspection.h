@@ -12,7 +12,7 @@
 #include "twin/inspection/inspection_state.h"
 #include "twin/inspection/instrument/pose.h"
 #include "twin/inspection/instrument/view.h"
-#include "twin/state/camera_pointing.h"
+#include "twin/sensor/camera_pointing.h"
 
 namespace slackwater::twin {
 

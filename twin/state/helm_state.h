@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "twin/body/actuators.h"
-#include "twin/state/camera_pointing.h"
+#include "twin/sensor/camera_pointing.h"
 #include "twin/state/helm_rule.h"
 #include "twin/state/mission.h"
 

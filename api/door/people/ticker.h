@@ -5,8 +5,8 @@
 
 namespace slackwater::people {
 
-/// Twenty times a second, on a thread of its own, until it goes or a tick says that it was the last.
-/// What it works on goes after it: it is the last member.
+/// Twenty times a second, on a thread of its own, until it goes or a tick says that it was the
+/// last. What it works on goes after it: it is the last member.
 class Ticker {
  public:
   /// @param tick  returns whether there is to be another one

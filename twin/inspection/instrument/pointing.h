@@ -1,6 +1,6 @@
 #pragma once
 #include "twin/inspection/instrument/pose.h"
-#include "twin/state/camera_pointing.h"
+#include "twin/sensor/camera_pointing.h"
 
 namespace slackwater::twin {
 
