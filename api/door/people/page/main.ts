@@ -382,7 +382,7 @@ function take_message(message: Json): void {
       break;
     case 'weather':
       if (session.weather !== null && led_before !== undefined && led_now() !== led_before)
-        notice(led_text(session.weather));
+        notice(led_text({ ...session.weather, settles_in_s: 0 }));
       break;
     case 'seen':
       tracks.clear();

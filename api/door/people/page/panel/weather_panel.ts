@@ -1,5 +1,5 @@
-// The weather as the vehicles have it, what of it is led by hand, and what the farm makes of it. A
-// supervisor leads it here.
+// The weather as the vehicles have it, what of it is set by hand, and what the farm makes of it. A
+// supervisor sets it here.
 import { button, element, labelled, set_disabled, set_hidden, set_text } from '../look/element';
 import { metres_text, NOT_KNOWN, span_text, speed_text } from '../look/units';
 import type { Weather } from '../session/around';
@@ -58,7 +58,7 @@ export function weather_panel(station: Station): Panel {
     element(
       'div',
       { class: 'buttons' },
-      element('button', { type: 'submit', class: 'strong' }, 'Lead the weather'),
+      element('button', { type: 'submit', class: 'strong' }, 'Set the weather'),
     ),
   );
   const value_of = (field: HTMLInputElement): number | null =>
@@ -85,7 +85,7 @@ export function weather_panel(station: Station): Panel {
   const hands = element(
     'details',
     {},
-    element('summary', {}, 'Lead the weather'),
+    element('summary', {}, 'Set the weather'),
     form,
     element('div', { class: 'buttons' }, back),
   );
@@ -121,7 +121,7 @@ export function weather_panel(station: Station): Panel {
       for (const [key, value] of values) {
         const text = words[key] ?? '';
         const is_led = weather.led.includes(key);
-        set_text(value, is_led ? `${text} · led` : text);
+        set_text(value, is_led ? `${text} · set by hand` : text);
         value.classList.toggle('led', is_led);
         set_hidden(value, text === '');
         const term = value.previousElementSibling;
@@ -169,5 +169,5 @@ export function led_text(weather: Pick<Weather, 'led' | 'led_by' | 'settles_in_s
   if (weather.led.length === 0) return `The weather goes back to the run’s own.${settles}`;
   const who = weather.led_by === '' ? 'a supervisor' : weather.led_by;
   const what = weather.led.map((it) => it.replaceAll('_', ' ')).join(', ');
-  return `Led by ${who}: ${what}.${settles}`;
+  return `Set by ${who}: ${what}.${settles}`;
 }

@@ -264,7 +264,7 @@ test('TheWeatherAndWhoPassesByAreThoseOfTheLastMessage', () => {
   const { weather } = session;
   assert.ok(weather !== null && weather.farm !== null);
   assert.equal(weather.waves_m, null);
-  assert.equal(led_text(weather), 'Led by Sue: wind, water visibility. It is so in 42 s.');
+  assert.equal(led_text(weather), 'Set by Sue: wind, water visibility. It is so in 42 s.');
   assert.equal(
     farm_text(weather.farm, weather, 'm/s'),
     '3.2 MW of 10 MW (32 %), 2 turbines at 14.5 m/s',
