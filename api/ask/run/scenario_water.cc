@@ -39,10 +39,11 @@ ScenarioWater of_file(const std::filesystem::path& file) {
                   sha256_of_file(file));
 }
 
-/// Turbines of the site about the scenario's origin, and the curve they share.
+/// Turbines of the site about the scenario's origin, and the curve they share: what they make is
+/// told also where the scenario has no wakes.
 void add_turbines(const Scenario& scenario, const Site& site, ScenarioWater& water) {
   water.surround.site = site.point;
-  if (!scenario.has_wakes) return;
+  if (site.turbines.empty()) return;
   const LocalFrame frame(twin::origin_of(scenario, site.point));
   for (const TurbinePlace& turbine : site.turbines) {
     water.surround.turbines_m.push_back(horizontal_of(frame.to_local(turbine.point)));

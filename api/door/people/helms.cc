@@ -35,10 +35,16 @@ void Helms::hold(Vehicle& vehicle, const Seat& seat, Milliseconds now) {
   vehicle.now = {HelmPhase::held, seat.number, "", 0, shown(vehicle.lease_until), false};
 }
 
+/// Whoever asks for it goes on asking, and gets it at the next look.
 void Helms::free(Vehicle& vehicle) {
+  const HelmNow was = vehicle.now;
   vehicle.client.clear();
   vehicle.lost_at.reset();
   vehicle.now = {};
+  if (was.asker == 0) return;
+  vehicle.now.state = HelmPhase::requested;
+  vehicle.now.asker = was.asker;
+  vehicle.now.until = was.until;
 }
 
 void Helms::end_request(Vehicle& vehicle) {

@@ -242,9 +242,12 @@ Said RunDesk::take_back(const Asked& asked) {
   const About of = about(asked);
   Said said = begun(of);
   said.refused = helms_.take_over(asked.seat, of.vehicle, asked.now);
-  if (!said.refused) submit(asked, of.vehicle, twin::HoldHere{}, said);
   if (said.refused) return said;
+  Said hold;  // of a vehicle that cannot hold the helm is taken all the same
+  submit(asked, of.vehicle, twin::HoldHere{}, hold);
+  said.step = hold.step;
   said.after = "held by the supervisor: " + reason;
+  if (hold.refused) said.after += "; it does not hold: " + hold.refused->text;
   said.why = reason;
   return said;
 }

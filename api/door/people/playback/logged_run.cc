@@ -22,6 +22,7 @@ StatusPlace status_place(const LoggedVehicle& vehicle, const Moment& moment, dou
   StatusPlace place;
   place.helm = count_by(vehicle.helms);
   place.stretch = count_by(vehicle.stretches);
+  place.camera = count_by(vehicle.cameras);
   if (place.stretch > 0 && vehicle.stretches[place.stretch - 1].to_s <= at_s) place.stretch = 0;
   if (!row.is_there) return place;
   place.task = row.task + 1;
@@ -36,6 +37,7 @@ VehicleNow vehicle_then(const LoggedVehicle& vehicle, const StatusPlace& place) 
   VehicleNow then;
   then.home_m = vehicle.home_m;
   then.margin_s = std::numeric_limits<double>::quiet_NaN();
+  if (place.camera > 0) then.camera = vehicle.cameras[place.camera - 1].pointing;
   if (place.helm > 0) {
     then.mode = vehicle.helms[place.helm - 1].mode;
     then.cause = vehicle.helms[place.helm - 1].cause;

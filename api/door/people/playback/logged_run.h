@@ -21,6 +21,12 @@ struct LoggedAlarm {
   double begin_s = 0, end_s = 0;
 };
 
+/// Where its camera looked, from a time on.
+struct LoggedCamera {
+  double from_s = 0;
+  twin::CameraPointing pointing;
+};
+
 struct LoggedVehicle {
   twin::Agent agent;  ///< what is known of it before it moves: name, model, conduct, tether
   twin::Triple<double> home_m;
@@ -29,6 +35,7 @@ struct LoggedVehicle {
   std::vector<LoggedHelm> helms;
   std::vector<twin::MissionStretch> stretches;
   std::vector<LoggedAlarm> alarms;
+  std::vector<LoggedCamera> cameras;  ///< by the commands that it took; before: straight ahead
 };
 
 /// All of the log of a run that is shown when it is watched again.
@@ -55,7 +62,7 @@ struct LoggedRun {
 
 /// By which what is told of a vehicle is known to be the same as before.
 struct StatusPlace {
-  std::size_t helm = 0, stretch = 0, task = 0;  ///< 0: none of them yet; else its place and 1
+  std::size_t helm = 0, stretch = 0, task = 0, camera = 0;  ///< 0: none of them yet; else its place and 1
   twin::Halt halt = twin::Halt::none;
   std::vector<std::size_t> alarms;  ///< that stand, by their places
   bool operator==(const StatusPlace&) const = default;

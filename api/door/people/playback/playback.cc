@@ -278,9 +278,7 @@ json Playback::vehicle_facts(std::size_t i) const {
 }
 
 json Playback::status_then(std::size_t i, const StatusPlace& place) const {
-  json status = status_json(i, vehicle_then(run_.vehicles[i], place));
-  status.erase("camera");  // where it looked the log does not have
-  return status;
+  return status_json(i, vehicle_then(run_.vehicles[i], place));
 }
 
 json Playback::helm_then(std::size_t i, const StatusPlace& place) const {

@@ -209,6 +209,21 @@ std::vector<std::vector<LoggedAlarm>> alarms_in(const TrajectoryFile& log) {
   return alarms;
 }
 
+/// Straight ahead again once its own mission is resumed.
+std::vector<LoggedCamera> cameras_of(std::size_t vehicle, std::span<const twin::Command> commands,
+                                     double step_s) {
+  std::vector<LoggedCamera> cameras;
+  for (const twin::Command& command : commands) {
+    if (command.agent != vehicle) continue;
+    const double from_s = static_cast<double>(command.step) * step_s;
+    if (const auto* camera = std::get_if<twin::PointCamera>(&command.what))
+      cameras.push_back({from_s, camera->pointing});
+    else if (std::holds_alternative<twin::Resume>(command.what) && !cameras.empty())
+      cameras.push_back({from_s, {}});
+  }
+  return cameras;
+}
+
 void add_vehicles(const TrajectoryFile& log, const std::optional<twin::Scenario>& scenario,
                   const std::filesystem::path& data_folder, LoggedRun& run) {
   const Rows rows(log);
@@ -245,6 +260,7 @@ void add_vehicles(const TrajectoryFile& log, const std::optional<twin::Scenario>
     for (std::size_t t = 0; t < vehicle.rows.size() && std::isfinite(of.until_s); ++t)
       if (vehicle.rows[t].halt != twin::Halt::none) of.until_s = std::min(of.until_s, run.t_s[t]);
     vehicle.helms = helm_story(of, run.actions, commands, run.step_s);
+    vehicle.cameras = cameras_of(i, commands, run.step_s);
     vehicle.stretches = twin::stretches_of(account.vehicles[i].mission, run.to_s());
     vehicle.alarms = std::move(alarms[i]);
   }

@@ -51,6 +51,21 @@ struct Bridge : testing::Test {
   }
 };
 
+TEST_F(Bridge, WhatIsGivenBackGoesToWhoeverAsks) {
+  EXPECT_FALSE(helms.ask(ann(), 0, now));
+  EXPECT_FALSE(helms.ask(bob(), 0, now));
+  now += 1'000;
+  EXPECT_FALSE(helms.give_back(ann(), 0));
+  EXPECT_EQ(look(), "helm got;");
+  EXPECT_TRUE(helms.holds(bob(), 0));
+  EXPECT_TRUE(drive(bob()));
+  // And where the holder is gone altogether.
+  EXPECT_FALSE(helms.ask(sue(), 0, now));
+  helms.gone(bob());
+  EXPECT_EQ(look(), "helm got;");
+  EXPECT_TRUE(helms.holds(sue(), 0));
+}
+
 TEST_F(Bridge, AFreeHelmIsGotAtOnceAndNobodyElseDrives) {
   EXPECT_EQ(state(), HelmPhase::free);
   EXPECT_FALSE(helms.ask(ann(), 0, now));

@@ -40,9 +40,11 @@ SessionUnderWay::SessionUnderWay(const std::string& yaml, Choice choice)
   else
     start();
   std::promise<void> ready;
-  run_ = std::thread([this, yaml, also = std::move(choice.also), &ready] {
+  run_ = std::thread([this, yaml, also = std::move(choice.also),
+                      with_water = std::move(choice.with_water), &ready] {
     const twin::Scenario scenario = twin::parse_scenario(yaml, "test.yaml");
-    const api::ScenarioWater water = water_of_yaml(scenario);
+    api::ScenarioWater water = water_of_yaml(scenario);
+    if (with_water) with_water(water);
     api::RunChoice run;
     run.control = &control_;
     run.on_ready = [&](const api::RunInHand& hand) {

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "api/door/people/farm_output.h"
+#include "api/door/people/playback/logged_run.h"
 #include "api/log/command_tables.h"
+#include "fields/wind/log_profile.h"
 #include "tests/api/door/people/station_for_tests.h"
 #include "tests/support/contains.h"
 #include "tests/support/shared_data.h"
@@ -194,6 +196,18 @@ TEST_F(LedSession, ARunThatWasLedIsMadeAgainToTheLastBit) {
   const auto read = api::commands_in(ingest::read_trajectories(folder / "log.nc"));
   EXPECT_EQ(std::get<twin::SetWeather>(read[1].what).asked,
             std::get<twin::SetWeather>(first.commands[1].what).asked);
+  // Who watches it again sees where the camera looked.
+  const people::LoggedRun watched = people::read_logged_run(folder / "log.nc", api::data_folder());
+  const people::LoggedVehicle& rov = watched.vehicles[0];
+  ASSERT_EQ(rov.cameras.size(), 1U);
+  EXPECT_NEAR(rov.cameras[0].pointing.pan_rad, 5 * constants::degree, 1e-12);
+  const double then_s = rov.cameras[0].from_s;
+  const auto camera_at = [&](double at_s) {
+    const people::Moment moment = people::moment_of(watched.t_s, at_s);
+    return vehicle_then(rov, status_place(rov, moment, at_s)).camera;
+  };
+  EXPECT_EQ(camera_at(then_s), rov.cameras[0].pointing);
+  EXPECT_EQ(camera_at(0).pan_rad, 0);
   for (const std::size_t threads : {1U, 2U}) {
     api::RunChoice choice;
     choice.threads = threads;
@@ -201,6 +215,42 @@ TEST_F(LedSession, ARunThatWasLedIsMadeAgainToTheLastBit) {
         api::replay(folder / "log.nc", folder / "store", std::nullopt, choice);
     EXPECT_TRUE(again.is_identical) << threads << ": " << again.difference;
   }
+}
+
+// At a site with turbines all see what they make, and that it follows the wind.
+TEST(FarmOutput, IsToldLiveAgainstTheWind) {
+  const auto kind = std::make_shared<const Turbine>(
+      Turbine::load(source_folder() / "data" / "turbines" / "nrel_5mw.yaml"));
+  SessionUnderWay::Choice choice;
+  choice.real_time_factor = 4;
+  choice.with_water = [&](api::ScenarioWater& water) {
+    water.surround.turbine = kind;
+    water.surround.turbines_m = {{0, 2000}, {2000, 2000}};
+  };
+  SessionUnderWay run(fleet, std::move(choice));
+  StationClient sue(run, run.token(Role::supervises));
+  (void)sue.hello("Sue");
+  const auto told_at = [&](double wind_m_s) {
+    return sue.told("weather", [&](const json& is) {
+      return !is["farm"].is_null() && is["settles_in_s"] == 0 &&
+             std::abs(is["wind_m_s"].get<double>() - wind_m_s) < 0.01;
+    });
+  };
+  const json before = told_at(4);
+  ASSERT_FALSE(before.is_null());
+  EXPECT_EQ(before["farm"]["turbines"], 2);
+  EXPECT_EQ(before["farm"]["rated_w"], 2 * kind->rated_power_w);
+  const auto asked = [](double speed_m_s) {
+    return json{{"do", "weather"},
+                {"wind", {{"speed_m_s", speed_m_s}, {"from_deg", 180}}},  // they stand abreast
+                {"over_s", 1}};
+  };
+  (void)sue.asks(asked(8));
+  ASSERT_FALSE(told_at(8).is_null());
+  const json now = sue.told("weather");  // worked out beside: a second later at the latest
+  const double hub_m_s = 8 * log_profile_ratio(kind->hub_height_m, 10);
+  const json& farm = (now.is_null() ? told_at(8) : now)["farm"];
+  EXPECT_NEAR(farm["power_w"].get<double>(), 2 * kind->power_w(hub_m_s), 0.05 * 1e6);
 }
 
 // One turbine alone makes what its curve says; of two in a row the second makes less.
