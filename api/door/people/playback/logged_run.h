@@ -62,7 +62,8 @@ struct LoggedRun {
 
 /// By which what is told of a vehicle is known to be the same as before.
 struct StatusPlace {
-  std::size_t helm = 0, stretch = 0, task = 0, camera = 0;  ///< 0: none of them yet; else its place and 1
+  /// 0: none of them yet; else its place and 1.
+  std::size_t helm = 0, stretch = 0, task = 0, camera = 0;
   twin::Halt halt = twin::Halt::none;
   std::vector<std::size_t> alarms;  ///< that stand, by their places
   bool operator==(const StatusPlace&) const = default;
