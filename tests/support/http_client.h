@@ -22,8 +22,8 @@ struct HttpReply {
 
 /// Where a server listens: a port, of this machine unless told otherwise.
 struct ServerPlace {
-  ServerPlace(std::uint16_t port, const char* address = "127.0.0.1")  // NOLINT: mostly a port
-      : port(port), address(address) {}
+  ServerPlace(std::uint16_t at_port, const char* at = "127.0.0.1")  // NOLINT: mostly a port
+      : port(at_port), address(at) {}
   std::uint16_t port;
   const char* address;  ///< IPv4
 };

@@ -248,8 +248,8 @@ void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
 
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url, const Freshness& freshness,
-                const nlohmann::json& others) {
-  const auto service = std::make_shared<const Service>(std::move(forecasts), base_url, others);
+                const nlohmann::json& beside) {
+  const auto service = std::make_shared<const Service>(std::move(forecasts), base_url, beside);
   using Catalogue = ForecastCatalogue;
   const auto add = [&](const std::string& pattern, std::span<const Format> formats,
                        std::span<const std::string_view> others, auto make) {
