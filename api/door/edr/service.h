@@ -17,10 +17,10 @@ namespace slackwater::api::edr {
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url = {}, const Freshness& freshness = {});
 /// The same of a server that has other routes beside these.
-/// @param others  what the document of `/api` says of them: merged into it (RFC 7396)
+/// @param beside  what the document of `/api` says of them: merged into it (RFC 7396)
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url, const Freshness& freshness,
-                const nlohmann::json& others);
+                const nlohmann::json& beside);
 
 /// Header fields that answers carry beside those of HTTP, for
 /// `http::ServerOptions::exposed_fields`.
