@@ -1,8 +1,6 @@
 // What the server says, read from JSON with suspicion: a field that is missing or of another kind
 // becomes null or empty, one that is not known is left out. api/docs/session.md is the contract.
 
-import type { Playback } from './playback';
-
 export type Json = Record<string, unknown>;
 export type Role = 'spectator' | 'operator' | 'supervisor';
 /** A seat's number, or the name of an agent. */
@@ -342,13 +340,6 @@ export function read_action(it: Json): Action | null {
 }
 export function read_actions(value: unknown): Action[] {
   return list_of(value, read_action);
-}
-export function read_playback(message: Json): Playback | null {
-  const it = as_object(message.playback);
-  const from_s = as_number(it?.from_s);
-  const to_s = as_number(it?.to_s);
-  if (from_s === null || to_s === null) return null;
-  return { from_s, to_s, seen: as_number(message.seen) ?? 0 };
 }
 export function read_answer(it: Json): Answer | null {
   const id = as_number(it.id);

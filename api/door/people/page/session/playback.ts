@@ -1,13 +1,20 @@
 // A log that is watched again: where the head is on its way from the beginning to the end, and
 // which action comes next. Seconds of the run.
 import { time_text, type TimeZoneChoice } from '../look/units';
-import type { Action } from './message';
+import { as_number, as_object, type Action, type Json } from './message';
 
 export interface Playback {
   from_s: number;
   to_s: number;
   /** The number of the last action before the head; 0: none. */
   seen: number;
+}
+export function read_playback(message: Json): Playback | null {
+  const it = as_object(message.playback);
+  const from_s = as_number(it?.from_s);
+  const to_s = as_number(it?.to_s);
+  if (from_s === null || to_s === null) return null;
+  return { from_s, to_s, seen: as_number(message.seen) ?? 0 };
 }
 export const RATES: readonly number[] = [0.5, 1, 2, 5, 10, 50];
 

@@ -16,7 +16,7 @@ import type {
   Structure,
   Vehicle,
 } from './message';
-import type { Playback } from './playback';
+import { read_playback, type Playback } from './playback';
 
 const ACTIONS_KEPT = 400;
 const WORDS_KEPT = 50;
@@ -176,7 +176,7 @@ function welcome(session: Session, message: Json): void {
   for (const status of read.read_statuses(message.status)) take_status(session, status);
   if (before !== session.seat) session.said = [];
   session.actions = [];
-  session.playback = read.read_playback(message);
+  session.playback = read_playback(message);
   // All of a recording's are told at once, in their order.
   if (session.playback !== null) session.actions = read.read_actions(message.actions);
   else for (const action of read.read_actions(message.actions)) add_action(session, action);
