@@ -201,9 +201,14 @@ TEST_F(Session, ManyComeAndGoAndLeaveNoSeat) {
     ASSERT_TRUE(visitor.hello("visitor " + std::to_string(i)).is_object()) << i;
     visitor.says({{"do", "leave"}});
     ASSERT_EQ(visitor.closed(), 1000) << i;
-    guest.messages.clear();
-    guest.frames.clear();
-    guest.listen(0ms);
+    if (i % 100 != 0) continue;
+    // Who says nothing for 90 s is turned out: ten thousand take longer.
+    for (StationClient* seated : {&ann, &bob, &sue, &guest}) {
+      seated->says({{"do", "time"}, {"at", i}});
+      seated->listen(1ms);
+      seated->messages.clear();
+      seated->frames.clear();
+    }
   }
   EXPECT_EQ(run.session().summary()["seats"], 4);
   expect_taken(ann.asks(ask(0)));

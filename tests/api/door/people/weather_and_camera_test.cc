@@ -7,6 +7,7 @@
 #include "api/door/people/farm_output.h"
 #include "api/door/people/playback/logged_run.h"
 #include "api/log/command_tables.h"
+#include "api/program/paths.h"
 #include "fields/wind/log_profile.h"
 #include "tests/api/door/people/station_for_tests.h"
 #include "tests/support/contains.h"
