@@ -29,14 +29,18 @@ struct Track {
   std::span<const double> t_s;
   std::span<const Stretch> stretches;
 
-  /// For how long it was so.
-  [[nodiscard]] double seconds(const std::function<bool(std::size_t)>& is_so) const {
-    double sum_s = 0;
+  /// Each row that stands within the stretches, and for how long.
+  void each(const std::function<void(std::size_t row, double s)>& look) const {
     for (std::size_t i = 0; i + 1 < t_s.size(); ++i) {
       double s = 0;
       for (const Stretch& stretch : stretches) s += overlap_s(stretch, t_s[i], t_s[i + 1]);
-      if (s > 0 && is_so(i)) sum_s += s;
+      if (s > 0) look(i, s);
     }
+  }
+  /// For how long it was so.
+  [[nodiscard]] double seconds(const std::function<bool(std::size_t)>& is_so) const {
+    double sum_s = 0;
+    each([&](std::size_t row, double s) { sum_s += is_so(row) ? s : 0; });
     return sum_s;
   }
   /// How often it became so.
@@ -71,11 +75,10 @@ std::vector<double> distances_of(std::span<const Triple<double>> places,
 }
 
 void look_at_stand_off(const Track& track, std::span<const double> distance_m, AtLimits& at) {
-  (void)track.seconds([&](std::size_t i) {
+  track.each([&](std::size_t i, double) {
     if (std::isfinite(distance_m[i]))
       at.nearest_structure_m =
           std::min(distance_m[i], at.nearest_structure_m.value_or(distance_m[i]));
-    return false;
   });
   if (!at.stand_off_m) return;
   const double least_m = *at.stand_off_m;

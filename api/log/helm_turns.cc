@@ -50,6 +50,7 @@ class Walk {
     std::optional<std::size_t> turn;  ///< under way
     bool is_there = false;            ///< its last stretch is open
     std::optional<Request> request;
+    bool is_given = false;  ///< nobody has it, as its holder let it go; who asks goes on asking
   };
 
   [[nodiscard]] bool holds(const Helm& helm, unsigned seat) const {
@@ -64,19 +65,19 @@ class Walk {
         get(helm, action, action.seat);
       } else if (!helm.request) {
         helm.request = Request{action.seat, action.at};
+        helm.is_given = false;  // whoever has it, an agent say, has it still
       }
     } else if (what == "grant" && helm.request) {
       get(helm, action, helm.request->seat);
     } else if (what == "helm got") {
-      get(helm, action, action.seat).was_taken = true;
+      const bool was_given = helm.is_given;
+      get(helm, action, action.seat).was_taken = !was_given;
     } else if (what == "deny" || what == "request lapsed") {
       end_request(action.vehicle, helm);
     } else if (what == "give_back" && !is_own) {
       if (helm.request && helm.request->seat == action.seat) end_request(action.vehicle, helm);
     } else if (what == "give_back" || what == "lease over" || what == "helm ended") {
-      if (!is_own) return;
-      let_go(helm, action.time_s);
-      end_request(action.vehicle, helm);
+      if (is_own) let_go(helm, action.time_s);
     } else if (what == "take_back" || (what == "hold" && action.role == "supervisor")) {
       if (!is_own) take_over(helm, action);
     } else if (is_command(action) && !is_own && !what.ends_with("_end")) {
@@ -110,6 +111,7 @@ class Walk {
     end_request(action.vehicle, helm);
     helm.turn = history_.turns.size();
     helm.is_there = true;
+    helm.is_given = false;
     HelmTurn& turn = history_.turns.emplace_back();
     turn.seat = seat;
     turn.vehicle = action.vehicle;
@@ -120,6 +122,7 @@ class Walk {
   void let_go(Helm& helm, double t_s) {
     close(helm, t_s);
     helm.turn.reset();
+    helm.is_given = true;
   }
   void close(Helm& helm, double t_s) {
     if (helm.turn && std::exchange(helm.is_there, false)) {
@@ -152,9 +155,7 @@ class Walk {
   void leave(const SessionAction& action) {
     for (auto& [vehicle, helm] : helms_) {
       if (helm.request && helm.request->seat == action.seat) end_request(vehicle, helm);
-      if (!holds(helm, action.seat)) continue;
-      let_go(helm, action.time_s);
-      end_request(vehicle, helm);
+      if (holds(helm, action.seat)) let_go(helm, action.time_s);
     }
   }
 
@@ -165,9 +166,9 @@ class Walk {
 }  // namespace
 
 bool is_command(const SessionAction& action) noexcept {
-  static constexpr std::array<std::string_view, 9> commands{
+  static constexpr std::array<std::string_view, 10> commands{
       "stick",     "stick_end", "thrusters", "thrusters_end", "waypoints",
-      "take_back", "hold",      "home",      "resume"};
+      "take_back", "hold",      "home",      "resume",        "camera"};
   return std::find(commands.begin(), commands.end(), action.what) != commands.end();
 }
 
