@@ -31,11 +31,11 @@ class HeightCourse {
   [[nodiscard]] bool is_constant() const noexcept { return factors_.empty() && lead_.is_none(); }
 
  private:
+  [[nodiscard]] double at_nodes(double t_s) const noexcept;
+
   double step_s_ = 1;
   std::vector<double> factors_;
   Lead<double> lead_;
-
-  [[nodiscard]] double at_nodes(double t_s) const noexcept;
 };
 
 }  // namespace slackwater

@@ -38,6 +38,7 @@ struct Environment {
   GeoPoint origin;                            ///< of the local frame
   UtcTime epoch;                              ///< t_s = 0
   std::shared_ptr<const SeaRealisation> sea;  ///< about the same origin and epoch; null: calm
+  double sea_peak_period_s = 0;               ///< that its sinusoids were made of
   /// The state of a sea that is not the forecast's, the same at all times; absent: as forecast.
   std::optional<SeaState> stated_sea;
   /// What the heights of the member's waves are instead of the forecast's; null: as forecast.

@@ -100,10 +100,10 @@ std::shared_ptr<const SeaRealisation> realised(const Scenario& scenario,
 
 }  // namespace
 
-std::shared_ptr<const SeaRealisation> sea_of_run(const Scenario& scenario,
-                                                 const Environment& environment,
-                                                 std::vector<std::string>& warnings) {
-  if (!scenario.waves.from_forecast) return realised(scenario, environment, scenario.waves.made_up);
+RunSea sea_of_run(const Scenario& scenario, const Environment& environment,
+                  std::vector<std::string>& warnings) {
+  if (const PartitionedSea& stated = scenario.waves.made_up; !scenario.waves.from_forecast)
+    return {realised(scenario, environment, stated), stated.peak_period_s()};
   const KnownSea known = sea_at_nodes(environment, scenario.duration_s);
   const SeaState state = realised_state(known.states);
   if (!(state.significant_height_m > 0)) {
@@ -112,7 +112,7 @@ std::shared_ptr<const SeaRealisation> sea_of_run(const Scenario& scenario,
         std::all_of(known.states.begin(), known.states.end(),
                     [](const SeaState& sea) { return sea.significant_height_m == 0; });
     if (!is_calm) warnings.push_back(no_waves(known.first_unknown) + ": the sea is calm");
-    return nullptr;
+    return {};
   }
   if (known.first_unknown != SampleStatus::ok)
     warnings.push_back(no_waves(known.first_unknown) +
@@ -123,10 +123,11 @@ std::shared_ptr<const SeaRealisation> sea_of_run(const Scenario& scenario,
   const ServedSea served = product_sea(state.significant_height_m, {&partition, 1});
   warnings.insert(warnings.end(), served.warnings.begin(), served.warnings.end());
   const auto sea = realised(scenario, environment, served.sea);
-  if (sea == nullptr) return nullptr;
+  if (sea == nullptr) return {};
   HeightCourse course = course_of(known.states, state.significant_height_m);
-  if (course.is_constant()) return sea;
-  return std::make_shared<const SeaRealisation>(sea->following(std::move(course)));
+  if (course.is_constant()) return {sea, state.peak_period_s};
+  return {std::make_shared<const SeaRealisation>(sea->following(std::move(course))),
+          state.peak_period_s};
 }
 
 }  // namespace slackwater::twin

@@ -12,7 +12,13 @@ namespace slackwater::twin {
 /// the start on. Stamps of forecasts lie on them for a start at a whole ten minutes.
 inline constexpr double sea_course_step_s = 600;
 
-/// The sea that the vehicles of a run are in; null: calm.
+/// The sea that the vehicles of a run are in.
+struct RunSea {
+  std::shared_ptr<const SeaRealisation> waves;  ///< null: calm
+  double peak_period_s = 0;                     ///< that they were made of
+};
+
+/// Makes it for a scenario.
 ///
 /// One that the scenario states is the same at all times. That of the forecast is one JONSWAP
 /// system of the state at the origin, as `EnvironmentSampler::sea` has it, which is what limits
@@ -24,8 +30,7 @@ inline constexpr double sea_course_step_s = 600;
 /// does at any, the sea is calm, with one.
 ///
 /// @param environment  of the run: field, member, origin, epoch, waves and stated sea
-[[nodiscard]] std::shared_ptr<const SeaRealisation> sea_of_run(const Scenario& scenario,
-                                                               const Environment& environment,
-                                                               std::vector<std::string>& warnings);
+[[nodiscard]] RunSea sea_of_run(const Scenario& scenario, const Environment& environment,
+                                std::vector<std::string>& warnings);
 
 }  // namespace slackwater::twin

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "fields/wave/growth.h"
 #include "fields/wind/log_profile.h"
@@ -25,41 +24,25 @@ std::string outside(std::string_view what, double found, double low, double high
                    unit);
 }
 
-/// The state of the run's sea at a time, if it has waves.
-std::optional<SeaState> own_sea(const Environment& environment) {
-  if (!environment.sea) return std::nullopt;
-  if (environment.stated_sea) return environment.stated_sea;
-  SeaState state;
-  state.significant_height_m = environment.sea->significant_height_m();
-  // The longest waves carry the peak's period: where most of the variance is.
-  double most_m2 = 0;
-  for (const WaveComponent& wave : environment.sea->waves()) {
-    const double variance_m2 = wave.amplitude_m * wave.amplitude_m;
-    if (!(variance_m2 > most_m2)) continue;
-    most_m2 = variance_m2;
-    state.peak_period_s = 2 * constants::pi / wave.absolute_rad_s;
-  }
-  return state;
-}
-
 bool has_wind(const Environment& environment) {
   return has_value(EnvironmentSampler(environment).wind({0, 0, -10}, 0).status);
 }
 
 std::string problem_of_height(double height_m, const Environment& environment) {
-  const auto sea = own_sea(environment);
-  if (!sea)
+  if (!environment.sea)
     return height_m == 0 ? std::string()
                          : formatted(
                                "waves: found {:g} m in a run that has a calm sea, expected 0; "
                                "begin a run whose scenario has waves",
                                height_m);
-  const double most_m = std::max(steepest_height_m(sea->peak_period_s), sea->significant_height_m);
+  const double period_s = environment.sea_peak_period_s;
+  const double most_m =
+      std::max(steepest_height_m(period_s), environment.sea->significant_height_m());
   if (is_within(height_m, 0, most_m)) return {};
   return formatted(
       "waves: found {:g} m, expected 0 to {:.1f} m: higher waves of {:.1f} s break; "
       "begin a run with longer ones",
-      height_m, most_m, sea->peak_period_s);
+      height_m, most_m, period_s);
 }
 
 /// The wakes of the wind to come; null: of the run's own wind, or none.
@@ -98,14 +81,18 @@ void WeatherInHand::set(const WeatherAsked& asked, const Environment& environmen
   auto next =
       all_.empty() ? std::make_unique<WeatherNow>() : std::make_unique<WeatherNow>(*all_.back());
   const WeatherAsked before = std::exchange(next->asked, asked);
-  next->since_s = t_s;
+  const double settled_s = t_s + asked.over_s;
   if (before.wind_10m_m_s != asked.wind_10m_m_s) {
+    next->settled_s = settled_s;
     next->wind_10m_m_s.lead(asked.wind_10m_m_s, t_s, asked.over_s);
     next->farm = farm_in(environment, asked.wind_10m_m_s);
   }
-  if (before.current_m_s != asked.current_m_s)
+  if (before.current_m_s != asked.current_m_s) {
+    next->settled_s = settled_s;
     next->current_m_s.lead(asked.current_m_s, t_s, asked.over_s);
+  }
   if (before.significant_wave_height_m != asked.significant_wave_height_m) {
+    next->settled_s = settled_s;
     next->significant_wave_height_m.lead(asked.significant_wave_height_m, t_s, asked.over_s);
     if (environment.sea) {
       const SeaRealisation& now = next->sea ? *next->sea : *environment.sea;

@@ -29,8 +29,8 @@ inline constexpr double least_over_s = 1, most_over_s = 3600;
 
 /// What is led of the weather, and what follows from it. A value: the next one is another.
 struct WeatherNow {
-  WeatherAsked asked;  ///< last
-  double since_s = 0;
+  WeatherAsked asked;    ///< last
+  double settled_s = 0;  ///< when it is as asked
   Lead<Horizontal> wind_10m_m_s;
   Lead<double> significant_wave_height_m;
   Lead<Horizontal> current_m_s;

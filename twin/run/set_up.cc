@@ -238,7 +238,9 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
     environment.waves =
         std::make_shared<const WaveFutures>(field.snapshot(), field.snapshot().members);
   }
-  environment.sea = sea_of_run(scenario, environment, ready.warnings);
+  RunSea sea = sea_of_run(scenario, environment, ready.warnings);
+  environment.sea = std::move(sea.waves);
+  environment.sea_peak_period_s = sea.peak_period_s;
   environment.farm = wakes_of(scenario, surround, ready.origin, ready.start);
   if (surround.turbine && !surround.turbines_m.empty())
     environment.turbines = StandingTurbines{surround.turbine, surround.turbines_m};

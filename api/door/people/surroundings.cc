@@ -29,7 +29,7 @@ void look_at_weather(const twin::EnvironmentSampler& water, double t_s, Surround
   const twin::WeatherNow* led = environment.weather ? environment.weather->now() : nullptr;
   if (led == nullptr) return;
   around.asked = led->asked;
-  around.settled_s = led->since_s + led->asked.over_s;
+  around.settled_s = led->settled_s;
 }
 
 /// From the vehicle that is nearest to it.

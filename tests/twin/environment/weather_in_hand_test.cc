@@ -35,8 +35,16 @@ Environment sheared_water() {
   const std::vector<WavePartition> partition{{1, 7, 270}};
   environment.sea = std::make_shared<const SeaRealisation>(
       realise({partition}, {30, {}}, 7, start, {.count = 32}));
+  environment.sea_peak_period_s = 7;
   environment.weather = std::make_shared<WeatherInHand>();
   return environment;
+}
+
+double elevation_in(const SeaRealisation& sea, double t_s) {
+  double eta_m = 0;
+  const WavePlace place{3, 4, 0, t_s};
+  sample_elevation(sea, {&place, 1}, {&eta_m, 1});
+  return eta_m;
 }
 
 struct WeatherLed : testing::Test {
@@ -120,12 +128,7 @@ TEST_F(WeatherLed, WindHasTheProfileOfTheSeaAndGustsToMatch) {
 }
 
 TEST_F(WeatherLed, WavesAreTheSameOnesHigherOrLower) {
-  const auto elevation_m = [&](double t_s) {
-    double eta_m = 0;
-    const WavePlace place{3, 4, 0, t_s};
-    sample_elevation(*sampler.waves(), {&place, 1}, {&eta_m, 1});
-    return eta_m;
-  };
+  const auto elevation_m = [&](double t_s) { return elevation_in(*sampler.waves(), t_s); };
   const double before_m = elevation_m(200),
                speed_m_s = sampler.water(shallow, 0, 200).motion.velocity_m_s.z;
   WeatherAsked asked;
@@ -140,7 +143,7 @@ TEST_F(WeatherLed, WavesAreTheSameOnesHigherOrLower) {
   EXPECT_EQ(sampler.sea({}, 200).sea.peak_period_s, 7);
   set({}, 300);
   EXPECT_EQ(sampler.sea({}, 400).sea.significant_height_m, 1);
-  EXPECT_EQ(elevation_m(200), elevation_m(200));
+  EXPECT_EQ(elevation_m(400), elevation_in(*environment.sea, 400)) << "its own again";
   asked.significant_wave_height_m = 0;
   set(asked, 500);
   EXPECT_EQ(elevation_m(600), 0);
@@ -153,6 +156,11 @@ TEST_F(WeatherLed, IsForgottenWhole) {
   asked.water_visibility_m = 2;
   set(asked, 0);
   EXPECT_EQ(sampler.visibility_m(), 500);
+  EXPECT_EQ(environment.weather->now()->settled_s, 60);
+  asked.visibility_m = 300;
+  set(asked, 10);
+  EXPECT_EQ(sampler.visibility_m(), 300) << "at once";
+  EXPECT_EQ(environment.weather->now()->settled_s, 60) << "the current is still on its way";
   EXPECT_EQ(sampler.water_visibility_m(), 2);
   environment.weather->forget();
   EXPECT_NEAR(east_m_s(deep, 100), 0.4, 1e-6);
