@@ -116,6 +116,7 @@ TEST(LongSession, OneHolderAtATimeAndARecordThatMakesItAgain) {
     EXPECT_TRUE(is_told) << vehicle << " changed hands at step " << command.step
                          << " without a row of the record";
   }
+  // A third of what three people who do as above come to on an idle machine.
   EXPECT_GT(hand_overs, static_cast<std::size_t>(minutes / 4));
   std::printf("%zu commands, %zu actions, %zu hand-overs in %.0f minutes of the run\n",
               result.commands.size(), result.actions.size(), hand_overs, result.account.ran_s / 60);

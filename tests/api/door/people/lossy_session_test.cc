@@ -78,7 +78,8 @@ TEST(LossySession, NothingRunsLateAndTheSeatComesThrough) {
       continue;
     }
     ++taken;
-    // It takes effect with the next step after it came, 50 ms long, and that is told 50 ms later.
+    // It takes effect with the next step after it came, 50 ms long, and that is told 50 ms later;
+    // 150 ms more for a machine with other things to do. Late would be a second and more.
     EXPECT_LT(clock_of_step(*pilot, answer["step"]) - 250, stick->until);
   }
   std::printf("%d sticks taken, %d too late, %d not answered; %.0f %% of the packets lost\n", taken,

@@ -44,17 +44,6 @@ struct Session : testing::Test {
   static std::function<bool(const json&)> mode(int vehicle, const std::string& mode) {
     return [=](const json& helm) { return helm["vehicle"] == vehicle && helm["mode"] == mode; };
   }
-  static void expect_refused(const json& answer, const std::string& reason,
-                             const std::string& words) {
-    ASSERT_TRUE(answer.is_object());
-    EXPECT_EQ(answer["taken"], false) << answer;
-    EXPECT_EQ(answer.value("reason", ""), reason);
-    EXPECT_TRUE(contains(answer.value("text", ""), words));
-  }
-  static void expect_taken(const json& answer) {
-    ASSERT_TRUE(answer.is_object());
-    EXPECT_EQ(answer["taken"], true) << answer;
-  }
   json stick(StationClient& who, int vehicle, double surge) {
     return who.asks(who.command("stick", vehicle, {{"velocity", {surge, 0, 0, 0}}}));
   }

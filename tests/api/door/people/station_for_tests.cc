@@ -5,6 +5,7 @@
 #include <future>
 
 #include "fields/base/error.h"
+#include "tests/support/contains.h"
 #include "tests/twin/run/run_for_tests.h"
 
 namespace slackwater::tests {
@@ -21,6 +22,18 @@ UtcTime wall_now() {
 }
 
 }  // namespace
+
+void expect_taken(const json& answer) {
+  ASSERT_TRUE(answer.is_object());
+  EXPECT_EQ(answer["taken"], true) << answer;
+}
+
+void expect_refused(const json& answer, const std::string& reason, const std::string& words) {
+  ASSERT_TRUE(answer.is_object());
+  EXPECT_EQ(answer["taken"], false) << answer;
+  EXPECT_EQ(answer.value("reason", ""), reason);
+  EXPECT_TRUE(contains(answer.value("text", ""), words));
+}
 
 SessionUnderWay::SessionUnderWay(const std::string& yaml, Choice choice)
     : book_(choice.book), control_(choice.real_time_factor) {
@@ -101,6 +114,7 @@ json StationClient::hello(const std::string& name) {
 bool StationClient::receive(std::chrono::milliseconds within) {
   const auto frame = socket_.receive(within);
   if (!frame) return false;
+  received_bytes += frame->payload.size();
   if (frame->opcode == 9) return socket_.send(0x8A, frame->payload);
   if (frame->opcode == 8) {
     close_code_ = frame->code();

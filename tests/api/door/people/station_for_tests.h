@@ -50,6 +50,11 @@ class SessionUnderWay {
   std::thread run_;
 };
 
+/// Of an answer of a session.
+void expect_taken(const nlohmann::json& answer);
+void expect_refused(const nlohmann::json& answer, const std::string& reason,
+                    const std::string& words);
+
 /// A scripted station at a raw socket.
 class StationClient {
  public:
@@ -92,6 +97,7 @@ class StationClient {
 
   std::vector<std::string> frames;
   std::vector<nlohmann::json> messages;
+  std::size_t received_bytes = 0;  ///< payloads of frames and messages, all of them
   bool says_saw = true;
 
  private:

@@ -53,17 +53,6 @@ struct LedSession : testing::Test {
   StationClient guest{run, run.token(Role::looks_on)};
   json anns = ann.hello("Ann"), sues = sue.hello("Sue"), guests = guest.hello("Gus");
 
-  static void expect_refused(const json& answer, const std::string& reason,
-                             const std::string& words) {
-    ASSERT_TRUE(answer.is_object());
-    EXPECT_EQ(answer["taken"], false) << answer;
-    EXPECT_EQ(answer.value("reason", ""), reason);
-    EXPECT_TRUE(contains(answer.value("text", ""), words));
-  }
-  static void expect_taken(const json& answer) {
-    ASSERT_TRUE(answer.is_object());
-    EXPECT_EQ(answer["taken"], true) << answer;
-  }
   static json gale() {
     return {{"do", "weather"},
             {"wind", {{"speed_m_s", 12}, {"from_deg", 270}}},

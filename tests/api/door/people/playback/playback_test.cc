@@ -3,17 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <numbers>
 
 #include "api/door/people/playback/playback_routes.h"
-#include "api/log/account_tables.h"
-#include "api/log/action_tables.h"
-#include "api/log/traffic_tables.h"
-#include "fields/base/constants.h"
+#include "tests/api/door/people/playback/log_for_tests.h"
 #include "tests/api/door/people/station_for_tests.h"
 #include "tests/support/contains.h"
-#include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/twin/run/run_for_tests.h"
 
@@ -24,59 +19,6 @@ using namespace std::chrono_literals;
 using ingest::TrajectoryFile;
 using nlohmann::json;
 using people::Role;
-
-constexpr double nan = constants::nan;
-
-store::SessionAction action(std::uint64_t number, double time_s, unsigned seat, std::string what,
-                            std::string before, std::string after) {
-  store::SessionAction row;
-  row.number = number;
-  row.at = parse_utc("2026-11-27T05:00:00Z");
-  row.time_s = time_s;
-  row.seat = seat;
-  row.who = seat == 1 ? "Ann" : "Sue";
-  row.role = seat == 1 ? "operator" : "supervisor";
-  row.what = std::move(what);
-  row.vehicle = "first";
-  row.before = std::move(before);
-  row.after = std::move(after);
-  return row;
-}
-
-/// Two vehicles, a row a second for a minute; the second one joins at 20 s, and is out of the log
-/// from 40 to 44 s. The first one turns through north between its rows at 10 and 11 s.
-TrajectoryFile made_up_log() {
-  TrajectoryFile log;
-  log.names = {"first", "second"};
-  log.epoch = parse_utc("2026-11-27T05:00:00Z");
-  TrajectoryFile::Variable x{"x", "", "m", "", 1, {}}, y = x, z = x, yaw = x, halt = x;
-  y.name = "y";
-  z.name = "z";
-  yaw.name = "yaw";
-  halt.name = "halt";
-  for (int i = 0; i <= 60; ++i) log.t_s.push_back(i);
-  for (int vehicle = 0; vehicle < 2; ++vehicle)
-    for (int i = 0; i <= 60; ++i) {
-      const bool is_there = vehicle == 0 || (i >= 20 && (i < 40 || i > 44));
-      const auto put = [&](TrajectoryFile::Variable& column, double value) {
-        column.values.push_back(is_there ? value : nan);
-      };
-      put(x, 0.37 * i + 10 * vehicle);
-      put(y, -1.3 * i);
-      put(z, -10 - 0.1 * i);
-      put(yaw, (i <= 10 ? 359 : 1) * constants::degree);
-      put(halt, i >= 50 && vehicle == 0 ? 4 : 0);
-    }
-  log.variables = {x, y, z, yaw, halt};
-  const std::vector<store::SessionAction> actions{action(1, 0, 1, "ask", "free", "held"),
-                                                  action(2, 12.5, 1, "hold", "held", "hold"),
-                                                  action(3, 12.5, 2, "ask", "held", "requested"),
-                                                  action(4, 30, 1, "grant", "requested", "held"),
-                                                  action(5, 60.7, 2, "give_back", "held", "free")};
-  log.tables = api::action_tables(actions);
-  log.attributes = {{"title", "made up"}, {"origin", "60.500000000 N, 4.250000000 E"}};
-  return log;
-}
 
 /// A log that is served, and the log itself as the reader of the repository reads it.
 struct Watched {
@@ -457,184 +399,6 @@ TEST(PlaybackOfASession, ShowsItAsItWas) {
   };
   EXPECT_EQ(helm_at(watched.log.t_s.back())["cause"], "not_renewed");
   EXPECT_EQ(helm_at(watched.log.t_s.back())["holder"], "Ann");
-}
-
-// --- logs that are none ---
-
-std::string problem_of(const TrajectoryFile& log) {
-  const TemporaryFolder folder;
-  ingest::write_trajectories(log, folder / "log.nc");
-  return error_of([&] { (void)people::read_logged_run(folder / "log.nc", folder.path()); });
-}
-
-TEST(LoggedRun, IsRefusedWithoutPositions) {
-  TrajectoryFile log = made_up_log();
-  log.variables.erase(log.variables.begin() + 2);
-  EXPECT_TRUE(contains(problem_of(log),
-                       "log.nc: found no positions (variables x, y and z); give a "
-                       "log that"));
-}
-
-TEST(LoggedRun, IsRefusedWhoseTimesDoNotGoOn) {
-  TrajectoryFile log = made_up_log();
-  log.t_s[30] = 29;
-  EXPECT_TRUE(contains(problem_of(log), "found the time 29 s in row 30"));
-}
-
-TEST(LoggedRun, IsRefusedWhoseNumbersMeanNothing) {
-  TrajectoryFile log = made_up_log();
-  log.variables[4].values[3] = 77;
-  EXPECT_TRUE(contains(problem_of(log), "found 77 as halt"));
-  log = made_up_log();
-  log.variables.push_back({"velocity_body", "", "m s-1", "", 1, log.variables[0].values});
-  EXPECT_TRUE(contains(problem_of(log), "found 1 numbers of velocity_body a vehicle and time"));
-}
-
-TEST(LoggedRun, IsRefusedThatIsDamagedOrNoLogAtAll) {
-  const TemporaryFolder folder;
-  const auto problem = [&] {
-    return error_of([&] { (void)people::read_logged_run(folder / "log.nc", folder.path()); });
-  };
-  EXPECT_TRUE(contains(problem(), "log.nc"));
-  std::ofstream(folder / "log.nc") << "these are no tracks";
-  EXPECT_TRUE(contains(problem(), "log.nc"));
-  ingest::write_trajectories(made_up_log(), folder / "log.nc");
-  std::filesystem::resize_file(folder / "log.nc",
-                               std::filesystem::file_size(folder / "log.nc") / 2);
-  EXPECT_TRUE(contains(problem(), "log.nc"));
-}
-
-TEST(LoggedRun, OfAnotherVersionIsShownWithoutItsScenario) {
-  TrajectoryFile log = made_up_log();
-  log.attributes.emplace_back("scenario", "of: another age");
-  const TemporaryFolder folder;
-  ingest::write_trajectories(log, folder / "log.nc");
-  const people::LoggedRun run = people::read_logged_run(folder / "log.nc", folder.path());
-  EXPECT_EQ(run.vehicles.size(), 2U);
-  ASSERT_EQ(run.warnings.size(), 1U);
-  EXPECT_TRUE(contains(run.warnings[0], "structures and tasks are left out"));
-}
-
-TEST(LoggedRun, TellsPhasesAndAlarmsWhileTheyLasted) {
-  using twin::ConductEventKind;
-  TrajectoryFile log = made_up_log();
-  twin::RunAccount account;
-  account.vehicles.resize(2);
-  account.vehicles[0].mission = {
-      {5, ConductEventKind::phase_began, {}, "work", {}},
-      {10, ConductEventKind::hold_began, twin::Cause::limit, "holds", {}},
-      {20, ConductEventKind::resumed, {}, "resumes", {}},
-      {30, ConductEventKind::finished, {}, "is done", {}}};
-  twin::AlarmRecord alarm;
-  alarm.mmsi = 257000001;
-  alarm.begin_s = 12;
-  alarm.end_s = 15;
-  for (auto& table : api::account_tables(account))
-    if (table.name == "mission") log.tables.push_back(table);
-  twin::TrafficVessel vessel;
-  vessel.id = alarm.mmsi;
-  for (auto& table : api::traffic_tables({&vessel, 1}, {&alarm, 1}))
-    if (table.name == "alarm") log.tables.push_back(table);
-  const TemporaryFolder folder;
-  ingest::write_trajectories(log, folder / "log.nc");
-  const people::LoggedRun run = people::read_logged_run(folder / "log.nc", folder.path());
-  const people::LoggedVehicle& vehicle = run.vehicles[0];
-  const auto then = [&](double at_s) {
-    const people::Moment moment = people::moment_of(run.t_s, at_s);
-    return people::vehicle_then(vehicle, people::status_place(vehicle, moment, at_s));
-  };
-  EXPECT_EQ(then(4).words.phase, "");
-  EXPECT_EQ(then(6).words.phase, "work");
-  EXPECT_EQ(then(6).words.doing, "");
-  EXPECT_EQ(then(10).words.doing, "holds");
-  EXPECT_EQ(then(25).words.doing, "");
-  EXPECT_EQ(then(31).words.phase, "") << "its mission is over";
-  EXPECT_TRUE(then(11).alarms.empty());
-  ASSERT_EQ(then(13).alarms.size(), 1U);
-  EXPECT_EQ(then(13).alarms[0].alarm.id, 257000001U);
-  EXPECT_TRUE(then(16).alarms.empty());
-}
-
-// --- whose helm it was ---
-
-struct HelmStory : testing::Test {
-  std::vector<people::Action> actions;
-  std::vector<twin::Command> commands;
-  void order(double time_s, twin::CommandWhat what) {
-    twin::Command command;
-    command.step = static_cast<std::uint64_t>(std::llround(time_s / 0.05));
-    command.what = std::move(what);
-    commands.push_back(command);
-  }
-  void does(double time_s, unsigned seat, const std::string& what, const std::string& before,
-            const std::string& after) {
-    actions.push_back(action(actions.size() + 1, time_s, seat, what, before, after));
-  }
-  [[nodiscard]] people::LoggedHelm at(double time_s) const {
-    people::LoggedHelm found;
-    for (const auto& helm :
-         people::helm_story({0, "first", {1, 60}, 1000}, actions, commands, 0.05))
-      if (helm.from_s <= time_s) found = helm;
-    return found;
-  }
-};
-
-TEST_F(HelmStory, OfNobodyIsTheVehiclesOwn) {
-  EXPECT_EQ(at(500).mode, twin::HelmMode::own);
-  EXPECT_EQ(at(500).phase, people::HelmPhase::free);
-}
-
-TEST_F(HelmStory, ThatIsNotRenewedHoldsAndThenGoesHome) {
-  for (int i = 0; i < 10; ++i) order(10 + 0.1 * i, twin::SetVelocity{});
-  EXPECT_EQ(at(9.9).mode, twin::HelmMode::own);
-  EXPECT_EQ(at(11.8).mode, twin::HelmMode::velocity) << "1 s after the last one at 10.9 s";
-  EXPECT_EQ(at(12).mode, twin::HelmMode::hold);
-  EXPECT_EQ(at(12).cause, twin::HelmCause::not_renewed);
-  EXPECT_EQ(at(71.8).mode, twin::HelmMode::hold);
-  EXPECT_EQ(at(72).mode, twin::HelmMode::home);
-  EXPECT_EQ(at(72).cause, twin::HelmCause::held_too_long);
-}
-
-TEST_F(HelmStory, ThatIsToldToHoldStaysAndResumes) {
-  order(10, twin::HoldHere{});
-  order(300, twin::Resume{});
-  EXPECT_EQ(at(299).mode, twin::HelmMode::hold);
-  EXPECT_EQ(at(300).mode, twin::HelmMode::own);
-}
-
-TEST_F(HelmStory, PassesFromHandToHand) {
-  does(1, 1, "ask", "free", "held");
-  does(5, 2, "ask", "held", "requested");
-  EXPECT_EQ(at(6).holder, "Ann");
-  EXPECT_EQ(at(6).asker, "Sue");
-  does(8, 1, "deny", "requested", "held");
-  EXPECT_EQ(at(8).asker, "");
-  does(9, 2, "hold", "held", "hold");
-  EXPECT_EQ(at(9).holder, "Sue") << "a supervisor's HOLD takes the helm";
-  does(12, 2, "give_back", "held", "free");
-  EXPECT_EQ(at(12).phase, people::HelmPhase::free);
-  EXPECT_EQ(at(8.5).holder, "Ann") << "what comes later changes nothing of what was";
-}
-
-TEST_F(HelmStory, ForgetsNobodyWhoseLinkWasDown) {
-  does(1, 1, "ask", "free", "held");
-  does(5, 1, "cut_off", "", "cut off");
-  actions.back().vehicle.clear();
-  EXPECT_EQ(at(5).phase, people::HelmPhase::lost);
-  EXPECT_EQ(at(5).holder, "Ann");
-  does(9, 1, "come_back", "", "back");
-  actions.back().vehicle.clear();
-  EXPECT_EQ(at(9).phase, people::HelmPhase::held);
-  does(20, 1, "leave", "", "left");
-  actions.back().vehicle.clear();
-  EXPECT_EQ(at(20).phase, people::HelmPhase::free);
-}
-
-TEST_F(HelmStory, TakesNoNoticeOfWhatWasRefused) {
-  does(1, 1, "ask", "free", "held");
-  does(2, 2, "take_back", "held", "held by the supervisor: so");
-  actions.back().is_taken = false;
-  EXPECT_EQ(at(3).holder, "Ann");
 }
 
 }  // namespace
