@@ -118,8 +118,9 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   const auto people = session_host(arguments, context);
   const auto forecasts = std::make_shared<IssuedFields>(context.store_folder);
   http::Router router;
-  if (!people) edr::add_routes(router, forecasts, base_url, freshness);
-  if (people) {
+  if (!people) {
+    edr::add_routes(router, forecasts, base_url, freshness);
+  } else {
     edr::add_routes(router, forecasts, base_url, freshness, sessions::interface_document());
     sessions::add_routes(router, people);
     options.guards_itself = sessions::is_for_supervisors;

@@ -1,12 +1,17 @@
 #pragma once
 #include <optional>
 
-#include "api/door/people/told.h"
 #include "twin/environment/environment.h"
 
 namespace slackwater::people {
 
-/// What the turbines of a site make of the wind, wakes and all. Worked out anew once the wind is
+/// What the turbines of a site make now.
+struct FarmNow {
+  double power_w = 0, rated_w = 0;
+  std::size_t turbines = 0;
+};
+
+/// What they make of the wind, wakes and all. Worked out anew once the wind is
 /// another by what changes the answer; not thread-safe.
 class FarmOutput {
  public:

@@ -48,11 +48,6 @@ double StationSays::number(std::string_view key, double low, double high) const 
                    found(value), low, high));
 }
 
-double StationSays::number_or(std::string_view key, double low, double high,
-                              double otherwise) const {
-  return json_.contains(key) ? number(key, low, high) : otherwise;
-}
-
 std::int64_t StationSays::whole(std::string_view key, std::int64_t low, std::int64_t high) const {
   const json& value = at(key);
   if (value.is_number_integer()) {

@@ -21,9 +21,6 @@ class StationSays {
   [[nodiscard]] const nlohmann::json& id() const noexcept { return id_; }
 
   [[nodiscard]] double number(std::string_view key, double low, double high) const;
-  /// The same; `otherwise` where it is not there.
-  [[nodiscard]] double number_or(std::string_view key, double low, double high,
-                                 double otherwise) const;
   [[nodiscard]] std::int64_t whole(std::string_view key, std::int64_t low, std::int64_t high) const;
   /// Absent where it is not there, or null.
   [[nodiscard]] std::optional<double> number_if(std::string_view key, double low,

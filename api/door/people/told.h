@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/door/people/action.h"
+#include "api/door/people/farm_output.h"
 #include "api/door/people/helms.h"
 #include "api/door/people/vehicle_now.h"
 #include "api/log/action_json.h"
@@ -17,11 +18,6 @@ namespace slackwater::people {
 using api::action_json;
 
 [[nodiscard]] nlohmann::json traffic_json(const Surroundings& around);
-/// What the turbines of the site make now.
-struct FarmNow {
-  double power_w = 0, rated_w = 0;
-  std::size_t turbines = 0;
-};
 /// @param led_by  who leads it; empty: nobody
 [[nodiscard]] nlohmann::json weather_json(const Surroundings& around, double time_s,
                                           const std::optional<FarmNow>& farm,

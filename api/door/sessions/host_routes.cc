@@ -20,10 +20,8 @@ using nlohmann::json;
 constexpr std::string_view all_sessions = "/sessions";
 
 Response told(int status, const json& body) {
-  Response response;
+  Response response = people::json_response(body);
   response.status = status;
-  response.media_type = "application/json";
-  response.body = people::text_of(body);
   return response;
 }
 

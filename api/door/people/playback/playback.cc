@@ -136,7 +136,7 @@ void Playback::heard(Viewer& viewer, const StationSays& says) {
     return turn_out(viewer, {CloseCode::malformed, "found " + what + ", expected hello first"});
   if (keeps_in_touch(viewer, says, clock())) return;
   if (what == "play") {
-    play(viewer, says.number_or("rate", PlayHead::least_rate, PlayHead::most_rate, 1));
+    play(viewer, says.number_if("rate", PlayHead::least_rate, PlayHead::most_rate).value_or(1));
   } else if (what == "pause") {
     viewer.head.pause(clock());
     show(viewer);

@@ -35,6 +35,8 @@ export function top_bar(
 ): Panel {
   const title = element('h1', {}, 'Session');
   const run = element('span', { class: 'badge run' });
+  // Whoever comes later must not take it for the forecast's.
+  const weather = element('span', { class: 'badge made-up' }, 'Weather set by hand');
   const time = element('span', { class: 'time' });
   const age = element('span', { class: 'badge age' });
   const who = element('span', { class: 'who' });
@@ -45,6 +47,7 @@ export function top_bar(
     { class: 'top-row' },
     title,
     run,
+    weather,
     time,
     age,
     cut,
@@ -63,6 +66,7 @@ export function top_bar(
       set_text(title, is_in && session.id !== '' ? session.id : 'Session');
       set_text(run, run_text(session));
       run.dataset.state = session.run.state;
+      set_hidden(weather, !is_in || (session.weather?.led.length ?? 0) === 0);
       const utc_ms = run_utc_ms(session);
       set_text(
         time,
