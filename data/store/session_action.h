@@ -15,7 +15,7 @@ struct SessionAction {
   unsigned seat = 0;
   std::string who;      ///< the name of the seat
   std::string role;     ///< "spectator", "operator" or "supervisor"
-  std::string what;     ///< as in the protocol (api/docs/session.md): "ask", "stick", ...
+  std::string what;     ///< as in the protocol (api/docs/session_wire.md): "ask", "stick", ...
   std::string vehicle;  ///< its name; empty: of the run, or the session
   std::string before, after;
   bool is_taken = true;

@@ -110,7 +110,7 @@ Said RunDesk::handle(const Asked& asked) {
   if (deed == nullptr)
     return refused(RefusalReason::unreadable,
                    formatted("found \"{}\", which this session does not know; its words are in "
-                             "api/docs/session.md",
+                             "api/docs/session_wire.md",
                              what));
   if (asked.seat.role < deed->least)
     return refused(RefusalReason::unauthorised,

@@ -21,8 +21,8 @@ struct ServedSessions {
   std::function<std::shared_ptr<Session>(const std::string& id)> find;
 };
 
-/// The paths of sessions, as in api/docs/session.md: the page, the list, the check of a token, the
-/// record and the socket.
+/// The paths of sessions, as in api/docs/session_wire.md: the page, the list, the check of a token,
+/// the record and the socket.
 void add_routes(api::http::Router& router, const ServedSessions& sessions);
 /// The same of a server that has but one.
 void add_routes(api::http::Router& router, const std::shared_ptr<Session>& session);

@@ -9,7 +9,7 @@
 
 namespace slackwater::people {
 
-// What stations are told in JSON; api/docs/session.md has its table.
+// What stations are told in JSON; api/docs/session_wire.md has its table.
 
 [[nodiscard]] nlohmann::json seat_json(const Seat& seat);
 [[nodiscard]] nlohmann::json vehicle_json(const twin::Agent& agent, std::size_t place,

@@ -90,7 +90,7 @@ json paths() {
   ended["202"] = answer("It ends, and its log is written", "BegunSession");
   ended["403"] = refused_for("Sessions are ended by supervisors, and by no page of another origin");
   json socket = of_one(refusals({"404"}));
-  socket["101"] = {{"description", "WebSocket, slackwater.session.v1: api/docs/session.md"}};
+  socket["101"] = {{"description", "WebSocket, slackwater.session.v1: api/docs/session_wire.md"}};
   socket["403"] = refused_for("A page of another origin");
   socket["409"] = refused_for("All seats of the token are taken");
   socket["426"] = refused_for("The path speaks WebSocket");

@@ -149,7 +149,7 @@ void Playback::heard(Viewer& viewer, const StationSays& says) {
     throw Error(
         ErrorKind::invalid_input,
         formatted("found \"{}\", which is nothing to do to a recording; its words are play, "
-                  "pause and seek (api/docs/session.md)",
+                  "pause and seek (api/docs/session_wire.md)",
                   what));
   }
   tell(viewer, {{"is", "answer"}, {"id", says.id()}, {"taken", true}});

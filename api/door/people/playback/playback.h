@@ -15,9 +15,9 @@
 
 namespace slackwater::people {
 
-/// The log of a run, watched again over the wire of a session (api/docs/session.md). Nobody has a
-/// seat: each station looks on, with a play head of its own. The log is read before; what is kept
-/// beside it is where each station is in it.
+/// The log of a run, watched again over the wire of a session (api/docs/session_wire.md). Nobody
+/// has a seat: each station looks on, with a play head of its own. The log is read before; what is
+/// kept beside it is where each station is in it.
 class Playback final : public api::http::WebSocketHandler {
  public:
   static constexpr const char* id = "log";

@@ -1,5 +1,5 @@
 // What the server says, read from JSON with suspicion: a field that is missing or of another kind
-// becomes null or empty, one that is not known is left out. api/docs/session.md is the contract.
+// becomes null or empty, one that is not known is left out. The contract: api/docs/session_wire.md.
 
 export type Json = Record<string, unknown>;
 export type Role = 'spectator' | 'operator' | 'supervisor';
