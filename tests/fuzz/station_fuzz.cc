@@ -26,6 +26,16 @@ void read_all(const StationSays& says) {
   });
   accepts([&] { (void)says.flag("is_on", true); });
   accepts([&] {
+    const std::optional<double> number = says.number_if("over_s", 1, 60);
+    claim(!number || (*number >= 1 && *number <= 60), "a number out of range");
+  });
+  accepts([&] {
+    const std::optional<StationSays> wind = says.object_if("wind");
+    if (!wind) return;
+    claim(wind->what().starts_with(says.what()), "a part that does not say whose it is");
+    (void)wind->number("speed_m_s", 0, 60);
+  });
+  accepts([&] {
     for (const double number : says.numbers("velocity", 4))
       claim(std::isfinite(number), "a number that is none");
   });
