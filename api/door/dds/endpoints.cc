@@ -68,10 +68,25 @@ void Writer::on_publication_matched(fdds::DataWriter* source,
   readers = status.current_count;
   rtps::GUID_t reader;
   rtps::iHandle2GUID(reader, status.last_subscription_handle);
-  if (status.current_count_change > 0)
+  const bool is_new = status.current_count_change > 0;
+  {
+    const std::string client = client_of(reader.guidPrefix);
+    const std::lock_guard lock(mutex_);
+    if (is_new) {
+      clients_.insert(client);
+    } else if (const auto gone = clients_.find(client); gone != clients_.end()) {
+      clients_.erase(gone);
+    }
+  }
+  if (is_new)
     replies.reader_found(*source, reader);
   else
     replies.reader_lost(reader);
+}
+
+bool Writer::is_heard_by(const std::string& client) const {
+  const std::lock_guard lock(mutex_);
+  return clients_.contains(client);
 }
 
 void Writer::on_offered_incompatible_qos(fdds::DataWriter*,

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,7 @@ class Writer final : public eprosima::fastdds::dds::DataWriterListener {
   bool is_transient_local = false;
   std::atomic<int> readers{0};
   Replies replies;  ///< of a service
+  [[nodiscard]] bool is_heard_by(const std::string& client) const;
 
   void on_publication_matched(
       eprosima::fastdds::dds::DataWriter* source,
@@ -64,6 +66,8 @@ class Writer final : public eprosima::fastdds::dds::DataWriterListener {
  private:
   std::string topic_;
   const Guard& guard_;
+  mutable std::mutex mutex_;
+  std::multiset<std::string> clients_;  ///< of each reader whose it is
 };
 
 /// What comes with a message.

@@ -188,6 +188,11 @@ bool Participant::is_heard(WriterId writer) const {
   return asked.is_transient_local || asked.readers > 0;
 }
 
+bool Participant::is_heard_by(WriterId writer, const std::string& client) const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->by_id.at(writer)->is_heard_by(client);
+}
+
 void Participant::send(WriterId writer, Payload message) {
   fdds::DataWriter* target = nullptr;
   {

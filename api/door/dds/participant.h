@@ -58,6 +58,8 @@ class Participant {
   [[nodiscard]] WriterId publish_on(const bag::Channel& channel);
   /// Whether anybody would hear it, now or, of what stays for those who come late, ever.
   [[nodiscard]] bool is_heard(WriterId writer) const;
+  /// Whether that client has a reader of it that gets what is sent from now on.
+  [[nodiscard]] bool is_heard_by(WriterId writer, const std::string& client) const;
   void send(WriterId writer, Payload message);
 
   /// @param on_left  a client closed its writer of it, or is gone; may be none

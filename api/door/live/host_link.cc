@@ -13,6 +13,8 @@ constexpr int most_missed = 5;
 /// A run stands still for nobody longer than that.
 constexpr double longest_s = 10;
 constexpr double shortest_s = 0.001;
+/// How long who was taken may listen to nothing.
+constexpr std::chrono::seconds longest_deaf{5};
 
 }  // namespace
 
@@ -138,6 +140,7 @@ std::optional<std::string> HostLink::take(std::size_t vehicle, const dds::HostAs
     if (!host.agent.empty() && host.agent != client)
       return host.name + " has an agent already: " + host.agent;
     if (const auto refusal = arbiter.ask(client, vehicle, arbiter.time_s())) return refusal->text;
+    if (host.agent.empty()) host.of_agent = {std::chrono::steady_clock::now()};
     host.agent = client;
     host.agent_timeout_s = asked.timeout_s;
     host.missed = 0;
@@ -148,15 +151,9 @@ std::optional<std::string> HostLink::take(std::size_t vehicle, const dds::HostAs
     return formatted("role {}; 0 leaves, 1 is an agent, 2 physics", int{asked.role});
   if (!host.physics.empty() && host.physics != client)
     return "the physics of " + host.name + " are made already by " + host.physics;
+  if (host.physics.empty()) host.of_physics = {std::chrono::steady_clock::now()};
   host.physics = client;
   host.physics_timeout_s = asked.timeout_s;
-  host.is_ending = false;
-  twin::Command command;
-  command.agent = vehicle;
-  command.what = twin::HostPhysics{true};
-  command.source = client;
-  command.received_s = arbiter.time_s();
-  run_.enqueue(std::move(command));
   return std::nullopt;
 }
 
@@ -201,6 +198,14 @@ void HostLink::take_command(Host& host, dds::Payload message, const std::string&
   (void)host.from_agent.answer(step, std::move(asked));
 }
 
+HostLink::Ear HostLink::ear_of(dds::Participant::WriterId writer, const std::string& client,
+                               Beginning& beginning) const {
+  if (!beginning.listens) beginning.listens = participant_.is_heard_by(writer, client);
+  if (beginning.listens) return Ear::listens;
+  const auto deaf = std::chrono::steady_clock::now() - beginning.taken;
+  return deaf < longest_deaf ? Ear::not_yet : Ear::never;
+}
+
 /// All are asked before the first is waited for, so that two that are late take no longer than one.
 void HostLink::ask_agents(const twin::StepTime& time) {
   std::vector<std::size_t> asked;
@@ -210,7 +215,8 @@ void HostLink::ask_agents(const twin::StepTime& time) {
       const std::lock_guard lock(mutex_);
       is_ending = std::exchange(hosts_[i].is_ending, false);
     }
-    if (is_ending) end_physics(i, time.step, time.start_s);
+    if (is_ending) hand_physics(i, "hosted physics", false, time);
+    begin_physics(i, time);
     if (ask_agent(i, time)) asked.push_back(i);
   }
   const WallTime now = std::chrono::steady_clock::now();
@@ -223,14 +229,19 @@ bool HostLink::ask_agent(std::size_t vehicle, const twin::StepTime& time) {
   host.from_agent.ask(time.step);
   bool is_behind = false, is_too_late = false;
   double timeout_s = 0;
+  Ear ear = Ear::listens;
   {
     const std::lock_guard lock(mutex_);
     if (host.agent.empty()) return false;
+    ear = ear_of(host.observation, host.agent, host.of_agent);
     timeout_s = host.agent_timeout_s;
     is_behind = host.behind_since.has_value();
     const std::chrono::duration<double> most(timeout_s * (most_missed - host.missed));
     is_too_late = is_behind && std::chrono::steady_clock::now() - *host.behind_since >= most;
   }
+  if (ear == Ear::never)
+    drop_agent(vehicle, {"it does not read /" + host.name + "/host/observation"});
+  if (ear != Ear::listens) return false;
   if (is_too_late) {
     drop_agent(vehicle, {formatted("no answer came within {:g} s", timeout_s * most_missed)});
     return false;
@@ -321,7 +332,7 @@ std::optional<twin::VehicleState<double>> HostLink::ask_physics(std::size_t vehi
   std::string whom;
   {
     const std::lock_guard lock(mutex_);
-    if (host.physics.empty()) return std::nullopt;
+    if (host.physics.empty() || !host.of_physics.listens) return std::nullopt;
     timeout_s = host.physics_timeout_s;
     whom = "the physics of " + host.name + ", " + host.physics;
   }
@@ -369,20 +380,37 @@ void HostLink::drop_physics(std::size_t vehicle, const Ending& ending) {
     client = std::exchange(host.physics, {});
     host.from_physics.give_up();
     name = host.name;
-    host.is_ending = host.is_ending || !client.empty();
+    host.is_ending = host.is_ending || (!client.empty() && host.of_physics.listens);
   }
   if (client.empty()) return;
   tell("the physics of " + name + " are ours again, " + client + " is taken off: " + ending.why);
   if (rule_ == HostRule::halt && ending.has_failed) control_.pause();
 }
 
-void HostLink::end_physics(std::size_t vehicle, std::uint64_t step, double t_s) {
+void HostLink::begin_physics(std::size_t vehicle, const twin::StepTime& time) {
+  std::string client, name;
+  Ear ear = Ear::listens;
+  {
+    const std::lock_guard lock(mutex_);
+    Host& host = hosts_[vehicle];
+    if (host.physics.empty() || host.of_physics.listens) return;
+    client = host.physics;
+    name = host.name;
+    ear = ear_of(host.input, client, host.of_physics);
+  }
+  if (ear == Ear::listens) hand_physics(vehicle, client, true, time);
+  if (ear == Ear::never)
+    drop_physics(vehicle, {"it does not read /" + name + "/host/physics_input"});
+}
+
+void HostLink::hand_physics(std::size_t vehicle, const std::string& by, bool is_hosted,
+                            const twin::StepTime& time) {
   twin::Command command;
-  command.step = step;
+  command.step = time.step;
   command.agent = vehicle;
-  command.what = twin::HostPhysics{false};
-  command.source = "hosted physics";
-  command.received_s = t_s;
+  command.what = twin::HostPhysics{is_hosted};
+  command.source = by;
+  command.received_s = time.start_s;
   run_.enqueue(std::move(command));
 }
 

@@ -35,6 +35,10 @@ enum class HostRule {
 /// in a row or is silent for as long is taken off. All agents of a step are asked before the first
 /// is waited for. Who leaves (role 0), closes its writer or is gone from the domain is not waited
 /// for any longer. Whoever is taken from is named to `on_trouble`.
+///
+/// Discovery finds a client's reader a little later than its request: what it is told before it
+/// never gets. It is told, and waited for, from the first step that finds it listening; one that
+/// does not listen for five seconds is taken off.
 class HostLink {
  public:
   HostLink(dds::Participant& participant, twin::Run& run, twin::RunControl& control,
@@ -46,10 +50,17 @@ class HostLink {
 
  private:
   using WallTime = std::chrono::steady_clock::time_point;
+  /// Of one that was taken.
+  struct Beginning {
+    WallTime taken{};
+    bool listens = false;  ///< it was found to, once
+  };
+  enum class Ear { listens, not_yet, never };
   struct Host {
     std::string name;
     dds::Participant::WriterId answer = 0, observation = 0, input = 0;
     std::string agent, physics;  ///< clients; empty: none
+    Beginning of_agent, of_physics;
     double agent_timeout_s = 0, physics_timeout_s = 0;
     int missed = 0;  ///< answers of the agent, in a row
     /// Since when it is not waited for, until it answers; nothing: it is.
@@ -64,6 +75,8 @@ class HostLink {
   [[nodiscard]] std::optional<std::string> leave(std::size_t vehicle, const std::string& client);
   void lose(const std::string& client);
   void take_command(Host& host, dds::Payload message, const std::string& client);
+  [[nodiscard]] Ear ear_of(dds::Participant::WriterId writer, const std::string& client,
+                           Beginning& beginning) const;
   void ask_agents(const twin::StepTime& time);
   /// @return whether its answer to the step is to be waited for
   [[nodiscard]] bool ask_agent(std::size_t vehicle, const twin::StepTime& time);
@@ -78,7 +91,10 @@ class HostLink {
   };
   void drop_agent(std::size_t vehicle, const Ending& ending);
   void drop_physics(std::size_t vehicle, const Ending& ending);
-  void end_physics(std::size_t vehicle, std::uint64_t step, double t_s);
+  void begin_physics(std::size_t vehicle, const twin::StepTime& time);
+  /// Theirs from this step on, or ours again.
+  void hand_physics(std::size_t vehicle, const std::string& by, bool is_hosted,
+                    const twin::StepTime& time);
   void tell(const std::string& text) const;
 
   dds::Participant& participant_;

@@ -61,12 +61,16 @@ class Pulse : public peer::fdds::DataReaderListener {
 /// silent.
 class Agent {
  public:
-  Agent(int domain, const std::string& vehicle, double timeout_s)
-      : timeout_s_(timeout_s), node_(std::make_unique<peer::Node>(domain)) {
+  /// @param deaf  for so long after it first asked it makes no reader of what it is told
+  Agent(int domain, const std::string& vehicle, double timeout_s, Clock::duration deaf = {})
+      : timeout_s_(timeout_s),
+        deaf_(deaf),
+        node_(std::make_unique<peer::Node>(domain)),
+        observation_("rt/" + vehicle + "/host/observation") {
     using namespace slackwater_msgs::msg;
     request_ = node_->writer<HostRequestPubSubType>("rt/" + vehicle + "/host/request");
     command_ = node_->writer<AgentCommandPubSubType>("rt/" + vehicle + "/host/command");
-    observed_ = node_->reader<AgentObservationPubSubType>("rt/" + vehicle + "/host/observation");
+    if (deaf == Clock::duration{}) listen();
     thread_ = std::jthread([this](const std::stop_token& over) { fly(over); });
   }
   ~Agent() { stop(); }
@@ -92,6 +96,9 @@ class Agent {
   }
 
  private:
+  void listen() {
+    observed_ = node_->reader<slackwater_msgs::msg::AgentObservationPubSubType>(observation_);
+  }
   void stop() {
     thread_.request_stop();
     if (thread_.joinable()) thread_.join();
@@ -110,7 +117,15 @@ class Agent {
     while (!over.stop_requested()) {
       peer::fdds::PublicationMatchedStatus hears;
       command_->get_publication_matched_status(hears);
-      if (seen_ == 0 && hears.current_count > 0) ask(1);
+      if (seen_ == 0 && hears.current_count > 0) {
+        if (asked_ == Clock::time_point{}) asked_ = Clock::now();
+        ask(1);
+      }
+      if (observed_ == nullptr) {
+        if (asked_ != Clock::time_point{} && Clock::now() - asked_ >= deaf_) listen();
+        std::this_thread::sleep_for(50ms);
+        continue;
+      }
       observed_->wait_for_unread_message({0, 50'000'000});
       if (is_silent_) continue;
       while (observed_->take_next_sample(&seen, &info) == ReturnCode_t::RETCODE_OK) {
@@ -127,7 +142,10 @@ class Agent {
   }
 
   double timeout_s_;
+  Clock::duration deaf_;
+  Clock::time_point asked_{};  ///< first
   std::unique_ptr<peer::Node> node_;
+  std::string observation_;
   peer::fdds::DataWriter* request_ = nullptr;
   peer::fdds::DataWriter* command_ = nullptr;
   peer::fdds::DataReader* observed_ = nullptr;
@@ -235,6 +253,22 @@ TEST_F(LeavingAgent, WhoFallsSilentIsWaitedForOnceAndTheOthersGoOn) {
   EXPECT_EQ(stalls(from), 1);
   EXPECT_LT(longest_s(from), 1.8) << "one time-out";
   EXPECT_GT(other->seen(), seen + 50) << "of the hundred steps of five seconds";
+  expect_good_end();
+}
+
+TEST_F(LeavingAgent, WhoseReaderIsFoundLateIsWaitedForFromThenOn) {
+  const Agent agent(domain_.number(), "a", 1, 2s);
+  ASSERT_TRUE(comes_true([&] { return agent.seen() >= 20; }, 60s)) << said();
+  EXPECT_EQ(said().find("did not answer"), std::string::npos) << said();
+  EXPECT_EQ(said().find("is taken off"), std::string::npos) << said();
+  EXPECT_EQ(stalls({}), 0) << "nobody waits for who cannot hear yet";
+  expect_good_end();
+}
+
+TEST_F(LeavingAgent, WhoDoesNotListenIsTakenOffAndNobodyWaits) {
+  const Agent agent(domain_.number(), "a", 1, 1h);
+  EXPECT_TRUE(is_said("is taken off: it does not read /a/host/observation", 60s)) << said();
+  EXPECT_EQ(stalls({}), 0);
   expect_good_end();
 }
 

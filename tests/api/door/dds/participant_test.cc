@@ -115,12 +115,24 @@ TEST_P(Participants, SayWhetherAnybodyHears) {
   const auto latched_id = writer.publish_on(texts(latched, "/test/latched"));
   EXPECT_FALSE(writer.is_heard(volatile_id));
   EXPECT_TRUE(writer.is_heard(latched_id)) << "somebody may come";
+  std::string left;
   {
     Participant reader(settings());
     reader.subscribe(texts(reliable), into(inbox));
     EXPECT_TRUE(comes_true([&] { return writer.is_heard(volatile_id); }));
+    const auto id = reader.publish_on(texts(reliable, "/test/who"));
+    Inbox<Heard> back;
+    writer.subscribe(texts(reliable, "/test/who"), into(back));
+    ASSERT_TRUE(comes_true([&] { return reader.is_heard(id); }));
+    reader.send(id, text("I"));
+    const std::string client = back.wait().at(0).client;
+    EXPECT_TRUE(writer.is_heard_by(volatile_id, client));
+    EXPECT_FALSE(writer.is_heard_by(latched_id, client)) << "it reads another topic";
+    EXPECT_FALSE(writer.is_heard_by(volatile_id, client + "0"));
+    left = client;
   }
   EXPECT_TRUE(comes_true([&] { return !writer.is_heard(volatile_id); }));
+  EXPECT_FALSE(writer.is_heard_by(volatile_id, left));
 }
 
 TEST_P(Participants, WrongQualityIsToldOnBothSides) {

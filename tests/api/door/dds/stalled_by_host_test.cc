@@ -53,6 +53,7 @@ struct StalledByHost : testing::Test {
   void host_in_silence(double timeout_s) {
     auto* const asks =
         node.writer<slackwater_msgs::msg::HostRequestPubSubType>("rt/rov/host/request");
+    (void)node.reader<slackwater_msgs::msg::PhysicsInputPubSubType>("rt/rov/host/physics_input");
     // The run listens to hosts that it knows the writer of.
     (void)node.writer<slackwater_msgs::msg::PhysicsOutputPubSubType>("rt/rov/host/physics_output");
     ASSERT_TRUE(comes_true(
