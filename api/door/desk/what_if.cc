@@ -1,5 +1,6 @@
 #include "api/door/desk/what_if.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "api/door/desk/asked_words.h"
@@ -67,11 +68,9 @@ class OtherTexts {
 };
 
 Error not_as_expected(const std::string& found) {
-  return {
-      ErrorKind::usage,
-      "found " + found +
-          R"(, expected {"texts": {"site": YAML, "tasks": {ID: YAML}, "plan": YAML}, "query": "..."}, )"
-          "each part or none"};
+  return {ErrorKind::usage, "found " + found +
+                                R"(, expected {"texts": {"site": YAML, "tasks": {ID: YAML}, )"
+                                R"("plan": YAML}, "query": "..."}, each part or none)"};
 }
 
 std::string text_in(const json& value, const char* what) {
@@ -123,16 +122,31 @@ json changed_windows(const Answers& from, const std::string& id, const std::stri
   return windows_json(question, answer);
 }
 
+/// The same work at the turbines of those names.
+void move_to(const Site& site, const fs::path& file, PlanFile& plan) {
+  for (PlanFile::Work& work : plan.work) {
+    for (std::size_t& turbine : work.turbines) {
+      const std::string& name = plan.site.turbines[turbine].id;
+      const auto found = std::find_if(site.turbines.begin(), site.turbines.end(),
+                                      [&](const TurbinePlace& one) { return one.id == name; });
+      if (found == site.turbines.end())
+        throw Error(ErrorKind::invalid_input, "found work at turbine " + name +
+                                                  " in the plan, which the changed site does not "
+                                                  "have; change the plan too");
+      turbine = static_cast<std::size_t>(found - site.turbines.begin());
+    }
+  }
+  plan.site = site;
+  plan.site_place = file.string();
+}
+
 json changed_plan(const Answers& from, const std::string& id, const OtherTexts& texts,
                   const fs::path& file) {
   PlanFile plan = load_plan_file(file, from.store_folder);
   if (plan.site.id != id)
     throw Error(ErrorKind::invalid_input,
                 "found a plan of site " + plan.site.id + ", expected one of " + id);
-  if (!texts.site().empty()) {
-    plan.site = changed_site(from, id, texts);
-    plan.site_place = texts.site().string();
-  }
+  if (!texts.site().empty()) move_to(changed_site(from, id, texts), texts.site(), plan);
   for (PlanFile::Work& work : plan.work) work.task = texts.task(work.task);
   WindowsQuestion question;
   question.practice = AlphaPractice::of_tables({});
