@@ -1,7 +1,7 @@
 // A chart of ECharts in the page's looks: made when it can be seen, redrawn when the palette or its
 // size changes. The slider's hour is a line laid over it, so that moving it draws nothing anew.
-import { CustomChart, HeatmapChart, LineChart, ScatterChart } from 'echarts/charts';
-import { GridComponent, MarkLineComponent, VisualMapComponent } from 'echarts/components';
+import { CustomChart, LineChart, ScatterChart } from 'echarts/charts';
+import { GridComponent, MarkLineComponent } from 'echarts/components';
 import * as echarts from 'echarts/core';
 import type { EChartsCoreOption } from 'echarts/core';
 import { CanvasRenderer } from 'echarts/renderers';
@@ -13,11 +13,9 @@ echarts.use([
   CanvasRenderer,
   CustomChart,
   GridComponent,
-  HeatmapChart,
   LineChart,
   MarkLineComponent,
   ScatterChart,
-  VisualMapComponent,
 ]);
 
 export type Option = EChartsCoreOption;
@@ -32,7 +30,12 @@ export interface Chart {
   say: (words: string) => void;
 }
 
-export function chart(desk: Desk, name: string, height_px: number, option: () => Option): Chart {
+export function chart(
+  desk: Desk,
+  name: string,
+  height_px: number,
+  option: (width_px: number) => Option,
+): Chart {
   const canvas = element('div', { class: 'canvas', role: 'img', 'aria-label': name });
   const line = element('div', { class: 'hour-mark', hidden: true });
   const node = element('div', { class: 'chart' }, canvas, line);
@@ -54,7 +57,8 @@ export function chart(desk: Desk, name: string, height_px: number, option: () =>
   };
   const draw = (): void => {
     if (made === null) return;
-    made.setOption({ animation: false, textStyle: text_style(), ...option() }, { notMerge: true });
+    const drawn = option(canvas.clientWidth);
+    made.setOption({ animation: false, textStyle: text_style(), ...drawn }, { notMerge: true });
     mark(marked);
   };
   new ResizeObserver(() => {
@@ -64,7 +68,7 @@ export function chart(desk: Desk, name: string, height_px: number, option: () =>
       draw();
     } else {
       made.resize();
-      mark(marked);
+      draw();
     }
   }).observe(canvas);
   desk.onChange((changed) => {
