@@ -1,6 +1,6 @@
 // A chart of ECharts in the page's looks: made when it can be seen, redrawn when the palette or its
 // size changes. The slider's hour is a line laid over it, so that moving it draws nothing anew.
-import { CustomChart, LineChart, ScatterChart } from 'echarts/charts';
+import { CustomChart, LineChart } from 'echarts/charts';
 import { GridComponent, MarkLineComponent } from 'echarts/components';
 import * as echarts from 'echarts/core';
 import type { EChartsCoreOption } from 'echarts/core';
@@ -9,14 +9,7 @@ import { colours } from './colours';
 import type { Desk } from './desk';
 import { element, set_hidden } from './element';
 
-echarts.use([
-  CanvasRenderer,
-  CustomChart,
-  GridComponent,
-  LineChart,
-  MarkLineComponent,
-  ScatterChart,
-]);
+echarts.use([CanvasRenderer, CustomChart, GridComponent, LineChart, MarkLineComponent]);
 
 export type Option = EChartsCoreOption;
 
@@ -108,9 +101,9 @@ export function axis(name: string, more: Record<string, unknown> = {}): Record<s
     nameTextStyle: { color: quiet, fontSize: TEXT_PX },
     axisLine: { show: true, lineStyle: { color: quiet } },
     axisTick: { show: true, lineStyle: { color: quiet } },
-    axisLabel: { color: ink, fontSize: TEXT_PX },
     splitLine: { show: true, lineStyle: { color: rule } },
     ...more,
+    axisLabel: { color: ink, fontSize: TEXT_PX, ...(more.axisLabel as Option | undefined) },
   };
 }
 

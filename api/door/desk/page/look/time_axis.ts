@@ -15,6 +15,8 @@ export function time_axis(desk: Desk, reach: Reach, width_px: number): Option {
     axisLabel: {
       customValues: at,
       hideOverlap: true,
+      alignMinLabel: 'left',
+      alignMaxLabel: 'right',
       formatter: (at_ms: number) => ticks.find((tick) => tick.at_ms === at_ms)?.text ?? '',
     },
   });

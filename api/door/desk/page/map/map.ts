@@ -15,6 +15,7 @@ import { draw_place, draw_things, draw_water, screen } from './scene';
 import { depth_choice, place_choice } from './tools';
 
 const SNAP_PX = 14;
+const COAST_ZOOM = 8.5; // some hundred kilometres
 const NO_FIELD: Field = { of: { currents: [], wind: [], waves: [] }, refused: [] };
 
 export function mapPart(desk: Desk): HTMLElement {
@@ -139,6 +140,7 @@ export function mapPart(desk: Desk): HTMLElement {
     { class: 'map-zoom', role: 'group', 'aria-label': 'Zoom' },
     button('+', () => zoom(1), { 'aria-label': 'Zoom in' }),
     button('−', () => zoom(-1), { 'aria-label': 'Zoom out' }),
+    button('Coast', () => view.set({ map: { ...camera(), zoom: COAST_ZOOM } })),
     button('All', () => view.set({ map: null }), { 'aria-label': 'Show all of the site' }),
   );
 

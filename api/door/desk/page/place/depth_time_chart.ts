@@ -7,7 +7,6 @@ import { HOUR_MS } from '../look/hours';
 import { time_axis } from '../look/time_axis';
 import { value_at, type Column } from '../server/coverage';
 import { ramp, steps_of } from './ramp';
-import { depth_line } from './profile_chart';
 
 const ARROW_PX = 26; // room that an arrow wants
 
@@ -115,6 +114,17 @@ function option(
         },
       },
     ],
+  };
+}
+
+/** The map's depth, as a line across. */
+function depth_line(depth_m: number, colour: string): Option {
+  return {
+    silent: true,
+    symbol: 'none',
+    label: { show: false },
+    lineStyle: { color: colour, type: [2, 3], width: 1 },
+    data: [{ yAxis: depth_m }],
   };
 }
 

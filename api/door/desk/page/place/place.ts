@@ -1,8 +1,8 @@
 // The chosen place: current by depth, wind, waves and tide, over all hours and at the slider's.
-import type { Chart } from '../look/chart';
 import type { Desk } from '../look/desk';
 import { element, scroll_region, set_hidden, set_text } from '../look/element';
 import { hour_of } from '../look/hours';
+import type { Picture } from '../look/plot';
 import { place_text } from '../look/units';
 import type { SiteMap } from '../server/answers';
 import { time_index, type Column } from '../server/coverage';
@@ -153,7 +153,7 @@ export function placePart(desk: Desk): HTMLElement {
   return element('div', { class: 'place-part' }, head, says, facts, ...nodes);
 }
 
-function figure(chart: Chart, words: string): HTMLElement {
+function figure(chart: Picture, words: string): HTMLElement {
   return element('figure', {}, chart.node, element('figcaption', {}, words));
 }
 

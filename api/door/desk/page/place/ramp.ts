@@ -1,6 +1,6 @@
 // Steps from pale to dark of one hue: they keep their order in grey and to every eye.
 import { colours } from '../look/colours';
-import { nice_most } from './profile_chart';
+import { nice_most } from '../look/nice';
 
 /** Edges of at most six steps from nothing to `most`. */
 export function steps_of(most: number): number[] {

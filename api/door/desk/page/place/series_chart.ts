@@ -105,7 +105,10 @@ function above_of(desk: Desk, it: Series, width_px: number): Option[] {
   const reach = { from_ms: it.times_ms[0] ?? 0, to_ms: it.times_ms[it.times_ms.length - 1] ?? 0 };
   const every_h = width_px > 620 ? 6 : 12;
   const { ink } = colours();
-  const ticks = time_ticks(reach, desk.look.zone, every_h);
+  const inside_ms = 0.03 * (reach.to_ms - reach.from_ms); // free of the axes' own words
+  const ticks = time_ticks(reach, desk.look.zone, every_h).filter(
+    ({ at_ms }) => at_ms > reach.from_ms + inside_ms && at_ms < reach.to_ms - inside_ms,
+  );
   return [
     {
       type: 'custom',

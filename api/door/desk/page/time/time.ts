@@ -88,6 +88,8 @@ export function timePart(desk: Desk): HTMLElement {
 
 function mark(kind: string, text: string, share: number): HTMLElement {
   const made = element('span', { class: kind }, text);
+  if (share < 0.04) made.classList.add('first');
+  if (share > 0.96) made.classList.add('last');
   made.style.left = `calc(var(--thumb) / 2 + ${share} * (100% - var(--thumb)))`;
   return made;
 }
