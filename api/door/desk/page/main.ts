@@ -61,7 +61,10 @@ desk.onChange(() => {
     if (hash !== location.hash) history.replaceState(null, '', hash);
   }, 250);
 });
-window.addEventListener('hashchange', () => view.set(read_hash(location.hash, view.values)));
+window.addEventListener('hashchange', () => {
+  const site = view.values.site; // where a link names none
+  view.set(read_hash(location.hash, { ...first_view(kept_looks()), site }));
+});
 
 function choose_site(): void {
   const known = server.sites?.sites ?? [];

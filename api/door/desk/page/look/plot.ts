@@ -81,6 +81,7 @@ function ticks({ min, max, every }: Scale): number[] {
 }
 
 function number_text(value: number, every: number): string {
+  if (value === 0) return '0';
   const places = Math.max(0, Math.ceil(-Math.log10(every) - 1e-9));
   const has_half = Math.abs(every * 10 ** places - Math.round(every * 10 ** places)) > 1e-6;
   return value.toFixed(places + (has_half ? 1 : 0)).replace('-', '−');

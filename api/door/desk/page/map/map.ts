@@ -163,8 +163,8 @@ export function mapPart(desk: Desk): HTMLElement {
   return element(
     'div',
     { class: 'map' },
-    element('div', { class: 'map-tools' }, depth.node, where.node),
-    element('div', { class: 'map-view' }, picture, says, buttons, signs.node),
+    element('div', { class: 'map-tools' }, depth.node, where.node, buttons),
+    element('div', { class: 'map-view' }, picture, says, signs.node),
     table.node,
   );
 }

@@ -5,11 +5,12 @@ import { drawn } from '../look/element';
 import { is_known } from '../look/units';
 import type { SiteMap } from '../server/answers';
 import type { Place } from '../view';
-import { current_arrow, wave_arrow, wind_barb } from './arrows';
+import { beside_barbs_px, current_arrow, wave_arrow, wind_barb } from './arrows';
 import type { Weather } from './field';
 import { place_sign, turbine_sign, type Shown } from './legend';
 
 type Point = [number, number];
+const AREA_NAME_PX = 90;
 
 /** The things that do not change with the hour. */
 export function draw_things(
@@ -32,7 +33,8 @@ export function draw_things(
     const corners = ring.map((point) => to(point)).filter((point) => point !== null);
     const west = Math.min(...corners.map(([x]) => x));
     const north = Math.min(...corners.map(([, y]) => y));
-    if (names && corners.length > 0) made.push(text([west, north], 2, -6, name, 'name'));
+    const is_wide = Math.max(...corners.map(([x]) => x)) - west > AREA_NAME_PX;
+    if (names && is_wide) made.push(text([west, north], 2, -6, name, 'name'));
   }
   for (const { name, points } of site.cables) {
     const cable = drawn('path', { class: 'cable', d: line(points) });
@@ -77,7 +79,11 @@ export function draw_water(
     if (has_room) {
       taken.push(here);
       const is_south = column.latitude_deg < 0;
-      if (shown.waves) signs.push(wave_arrow(weather.wave_height_m, weather.wave_from_deg));
+      if (shown.waves) {
+        const wind_from = shown.wind ? weather.wind_from_deg : null;
+        const beside_px = beside_barbs_px(wind_from, weather.wave_from_deg, is_south);
+        signs.push(wave_arrow(weather.wave_height_m, weather.wave_from_deg, beside_px));
+      }
       if (shown.wind) signs.push(wind_barb(weather.wind_m_s, weather.wind_from_deg, is_south));
     }
     if (shown.current) signs.push(current_arrow(weather.current_m_s, weather.current_to_deg));
@@ -91,10 +97,17 @@ export function draw_water(
       ),
     );
     if (!shown.names || !has_room) continue;
+    const lines = is_known(column.bed_m) ? [`bed ${look.metres(column.bed_m)}`] : [];
+    if (!with_labels) {
+      // On the side that the wind does not come from.
+      const from = weather.wind_from_deg ?? 0;
+      const down_px = from > 90 && from < 270 ? -12 : 22;
+      made.push(...lines.map((line) => text(here, 0, down_px, line, 'middle')));
+      continue;
+    }
     // Words stand to leeward, where no barb is.
     const is_left = (weather.wind_from_deg ?? 270) < 180;
-    const lines = is_known(column.bed_m) ? [`bed ${look.metres(column.bed_m)}`] : [];
-    if (with_labels) lines.push(...lines_of(weather, shown, look));
+    lines.push(...lines_of(weather, shown, look));
     lines.forEach((line, i) =>
       made.push(text(here, is_left ? -14 : 14, 18 + 16 * i, line, is_left ? 'end' : 'start')),
     );

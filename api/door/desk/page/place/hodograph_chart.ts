@@ -46,7 +46,7 @@ function content({ look }: Desk, it: Shown, width_px: number): SVGElement[] {
   // North and east have the same scale: the wider side shows more, not larger.
   const high_px = HEIGHT_PX - MARGIN.top - MARGIN.bottom;
   const wide = (most * (width_px - MARGIN.left - MARGIN.right)) / high_px;
-  const every = nice_step(2 * Math.max(wide, most), 7);
+  const every = nice_step(2 * Math.max(wide, most), 9);
   const at = plot(
     width_px,
     HEIGHT_PX,
