@@ -31,7 +31,10 @@ export function picture(
   const node = element('div', { class: 'chart' }, svg);
   node.style.height = `${height_px}px`;
   const draw = (): void => {
-    if (node.clientWidth > 2) svg.replaceChildren(...content(node.clientWidth));
+    const width_px = node.clientWidth;
+    if (width_px <= 2) return;
+    svg.setAttribute('viewBox', `0 0 ${width_px} ${height_px}`); // so that paper may shrink it
+    svg.replaceChildren(...content(width_px));
   };
   new ResizeObserver(draw).observe(node);
   return { node, draw, say: (words) => svg.setAttribute('aria-label', words) };
