@@ -56,6 +56,7 @@ export function draw_things(
 
 const LABELS_UP_TO = 12;
 const ARROWS_APART_PX = 46;
+const NAMES_APART_PX = 90;
 
 /** The things of the hour, at each column; barbs and wave arrows only where they have room. */
 export function draw_water(
@@ -72,9 +73,11 @@ export function draw_water(
   for (const column of site.columns) {
     const here = screen(to, column);
     const weather = weather_at(column);
-    const has_room = taken.every(
-      ([x, y]) => Math.hypot(x - here[0], y - here[1]) > ARROWS_APART_PX,
+    const apart_px = Math.min(
+      Infinity,
+      ...taken.map(([x, y]) => Math.hypot(x - here[0], y - here[1])),
     );
+    const has_room = apart_px > ARROWS_APART_PX;
     const signs: (SVGElement | null)[] = [];
     if (has_room) {
       taken.push(here);
@@ -96,7 +99,7 @@ export function draw_water(
         drawn('title', {}, [column.name, ...lines_of(weather, shown, look)].join('\n')),
       ),
     );
-    if (!shown.names || !has_room) continue;
+    if (!shown.names || apart_px < NAMES_APART_PX) continue;
     const lines = is_known(column.bed_m) ? [`bed ${look.metres(column.bed_m)}`] : [];
     if (!with_labels) {
       // On the side that the wind does not come from.
