@@ -63,18 +63,10 @@ export function mapPart(desk: Desk): HTMLElement {
     if (size.width < 2) return;
     const from = camera();
     const to = projection_of(from, size);
-    const west_north = place_at(from, size, 0, 0);
-    const east_south = place_at(from, size, size.width, size.height);
-    coast.setAttribute(
-      'd',
-      coast_path(
-        to,
-        west_north.longitude_deg,
-        east_south.latitude_deg,
-        east_south.longitude_deg,
-        west_north.latitude_deg,
-      ),
-    );
+    const { longitude_deg: west, latitude_deg: north } = place_at(from, size, 0, 0);
+    const corner = place_at(from, size, size.width, size.height);
+    const box = { west, north, east: corner.longitude_deg, south: corner.latitude_deg };
+    coast.setAttribute('d', coast_path(to, box));
     if (site !== null) draw_things(things, site, to, shown.names);
     draw_place(place, view.values.place ?? site?.place ?? null, to);
     aim.setAttribute('transform', `translate(${size.width / 2} ${size.height / 2})`);
@@ -91,6 +83,14 @@ export function mapPart(desk: Desk): HTMLElement {
     set_hidden(says, words === '');
   };
 
+  const load_coast = async (): Promise<void> => {
+    try {
+      await fetch_coast(server);
+      draw();
+    } catch (problem) {
+      if (!(problem instanceof Refused)) throw problem; // a map without coast shows the site
+    }
+  };
   const load = async (): Promise<void> => {
     const id = view.values.site;
     if (id === '') {
@@ -112,14 +112,7 @@ export function mapPart(desk: Desk): HTMLElement {
       say(`The map has no data: ${problem.detail}`);
     }
     draw();
-  };
-  const load_coast = async (): Promise<void> => {
-    try {
-      await fetch_coast(server);
-      draw();
-    } catch (problem) {
-      if (!(problem instanceof Refused)) throw problem; // a map without coast shows the site
-    }
+    void load_coast(); // last: it weighs more than all the rest
   };
 
   listen_to_hands(picture, {
@@ -162,8 +155,6 @@ export function mapPart(desk: Desk): HTMLElement {
     draw();
   }).observe(picture);
   void load();
-  // After the first picture: the coast weighs more than all the rest.
-  setTimeout(() => void load_coast(), 0);
 
   return element(
     'div',
