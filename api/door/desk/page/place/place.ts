@@ -15,7 +15,7 @@ import { tide_series, wave_series, wind_series } from './over_time';
 import { largest_m_s, profile_at, type Level } from './profile';
 import { profile_chart, type Shown } from './profile_chart';
 import { series_chart, type Series } from './series_chart';
-import { fetch_water, NO_TIDE, type Told, type Water } from './water';
+import { fetch_water, NO_TIDE, said_by_all, type Told, type Water } from './water';
 
 export function placePart(desk: Desk): HTMLElement {
   const { view, server, look } = desk;
@@ -133,9 +133,12 @@ export function placePart(desk: Desk): HTMLElement {
       const forecast = server.forecast(site.id) ?? site.forecast;
       const came = forecast === null ? null : await fetch_water(server, site, forecast, place);
       if (mine !== asked) return;
-      water = came;
-      const none = 'No forecast is in force here. Make one: slackwater morning --site ';
-      set_text(says, came === null ? `${none}${site.id}` : '');
+      const all_refuse = came === null ? null : said_by_all(came);
+      water = all_refuse === null ? came : null;
+      const none = `No forecast is in force here. Make one: slackwater morning --site ${site.id}`;
+      const nearer = 'Choose a place nearer to a column, on the map or in its list.';
+      const without = all_refuse === null ? none : `${all_refuse} ${nearer}`;
+      set_text(says, water === null ? without : '');
     } catch (problem) {
       if (!(problem instanceof Refused)) throw problem;
       if (mine !== asked) return;

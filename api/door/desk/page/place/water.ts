@@ -54,6 +54,12 @@ async function told(server: Server, query: string): Promise<Told> {
   }
 }
 
+/** What current, wind and waves all say in the same words, as for a place that is out of reach. */
+export function said_by_all({ currents, wind, waves }: Water): string | null {
+  const { refused } = currents;
+  return refused === wind.refused && refused === waves.refused ? refused : null;
+}
+
 /** Not every server has a tide; asking for one that is not there would read as a fault. */
 async function has_tide(server: Server): Promise<boolean> {
   try {

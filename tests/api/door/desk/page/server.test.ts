@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { fetch_water, NO_TIDE } from 'page/place/water';
+import { fetch_water, NO_TIDE, said_by_all } from 'page/place/water';
 import type { SiteMap } from 'page/server/answers';
 import { Refused, Server } from 'page/server/server';
 
@@ -125,5 +125,12 @@ test('AtAPlaceEachAnswerStandsForItself', async () => {
   expect(water.wind.column?.values.wind_speed).toEqual([9]);
   expect(water.waves.refused).toBe('The server has no values here.');
   expect(water.tide).toEqual({ column: null, refused: NO_TIDE });
+  expect(said_by_all(water)).toBeNull();
   expect(asked.find((path) => path.includes('/wind/'))).toContain('z=10%2C90');
+});
+
+test('APlaceOutOfReachIsSaidOnce', async () => {
+  const { server } = made_up({ '/collections': { body: { collections: [] } } });
+  const water = await fetch_water(server, SITE, FORECAST, PLACE);
+  expect(said_by_all(water)).toBe('found no such thing');
 });
