@@ -56,7 +56,9 @@ export function mapPart(desk: Desk): HTMLElement {
     if (site === null || size.width < 2) return;
     const to = projection_of(camera(), size);
     draw_water(water, site, to, shown, look, weather);
-    signs.say(weather(site.columns[0] ?? site.place).current_depth_m);
+    signs.say(
+      weather(site.columns[0] ?? { longitude_deg: NaN, latitude_deg: NaN }).current_depth_m,
+    );
     table.show();
   };
   const draw = (): void => {
@@ -67,7 +69,7 @@ export function mapPart(desk: Desk): HTMLElement {
     const corner = place_at(from, size, size.width, size.height);
     const box = { west, north, east: corner.longitude_deg, south: corner.latitude_deg };
     coast.setAttribute('d', coast_path(to, box));
-    if (site !== null) draw_things(things, site, to, shown.names);
+    if (site !== null) draw_things(things, site, to, shown.names, look);
     draw_place(place, view.values.place ?? site?.place ?? null, to);
     aim.setAttribute('transform', `translate(${size.width / 2} ${size.height / 2})`);
     draw_bar(bar, from, size.height);
@@ -166,16 +168,16 @@ export function mapPart(desk: Desk): HTMLElement {
 }
 
 function places_of(site: SiteMap | null, place: Place | null): Place[] {
-  if (site === null) return [place ?? { longitude_deg: 0, latitude_deg: 50 }];
   const of_points = (points: [number, number][]): Place[] =>
     points.map(([longitude_deg, latitude_deg]) => ({ longitude_deg, latitude_deg }));
-  return [
-    site.place,
-    ...site.columns,
-    ...site.turbines,
-    ...site.cables.flatMap(({ points }) => of_points(points)),
-    ...site.areas.flatMap(({ ring }) => of_points(ring)),
+  const places = [
+    ...(site === null || site.place === null ? [] : [site.place]),
+    ...(site?.columns ?? []),
+    ...(site?.turbines ?? []),
+    ...(site?.cables ?? []).flatMap(({ points }) => of_points(points)),
+    ...(site?.areas ?? []).flatMap(({ ring }) => of_points(ring)),
   ];
+  return places.length > 0 ? places : [place ?? { longitude_deg: 0, latitude_deg: 50 }];
 }
 
 function draw_bar(at: SVGGElement, camera: Camera, height: number): void {

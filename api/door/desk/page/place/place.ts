@@ -110,7 +110,7 @@ export function placePart(desk: Desk): HTMLElement {
   };
   const show_head = (): void => {
     const place = view.values.place ?? site?.place;
-    if (place === undefined) return;
+    if (place === undefined || place === null) return;
     const name = site === null ? '' : name_of(site, place.longitude_deg, place.latitude_deg);
     const where = place_text(place.longitude_deg, place.latitude_deg);
     set_text(head, name === '' ? where : `${name}: ${where}`);
@@ -131,7 +131,10 @@ export function placePart(desk: Desk): HTMLElement {
       show_head();
       const place = view.values.place ?? site.place;
       const forecast = server.forecast(site.id) ?? site.forecast;
-      const came = forecast === null ? null : await fetch_water(server, site, forecast, place);
+      const came =
+        forecast === null || place === null
+          ? null
+          : await fetch_water(server, site, forecast, place);
       if (mine !== asked) return;
       const all_refuse = came === null ? null : said_by_all(came);
       water = all_refuse === null ? came : null;
@@ -194,7 +197,7 @@ function name_of(site: SiteMap, longitude_deg: number, latitude_deg: number): st
   const column = site.columns.find(is_here);
   const names = [
     ...(turbine === undefined ? [] : [`Turbine ${turbine.id}`]),
-    ...(column === undefined ? [] : [`Column ${column.name}`]),
+    ...(column === undefined ? [] : [`Column ${column.location}`]),
   ];
   return names.join(', ');
 }

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { fetch_water, NO_TIDE, said_by_all } from 'page/place/water';
-import type { SiteMap } from 'page/server/answers';
+import { whole_site } from 'page/server/answers';
 import { Refused, Server } from 'page/server/server';
 
 type Answer = { status?: number; body: unknown } | 'gone';
@@ -46,6 +46,14 @@ test('OneAnswerIsEnoughForAllWhoAsk', async () => {
   await Promise.all([server.site('bay'), server.site('bay')]);
   await server.site('bay');
   expect(asked).toEqual(['/sites/bay']);
+});
+
+test('ASiteThatIsNotDescribedIsAMapWithoutThings', async () => {
+  const column = { location: 'bay', longitude_deg: 1, latitude_deg: 2, bed_m: 30 };
+  const { server } = made_up({ '/sites/bay': { body: { id: 'bay', columns: [column] } } });
+  const site = await server.site('bay');
+  expect(site).toMatchObject({ name: 'bay', turbines: [], place: { longitude_deg: 1 } });
+  expect(whole_site({ id: 'x' })).toMatchObject({ place: null, columns: [], forecast: null });
 });
 
 test('ARefusalSpeaksInTheServersWordsAndIsNotKept', async () => {
@@ -94,7 +102,7 @@ test('TheServersClockRules', async () => {
   expect(server.now_ms()).toBe(Date.parse('2025-03-13T06:00:05Z'));
 });
 
-const SITE = { id: 'bay', hub_heights_m: [90, 10] } as unknown as SiteMap;
+const SITE = whole_site({ id: 'bay', hub_height_m: 90 });
 const FORECAST = {
   instance: 'a',
   day: '2025-03-12',
