@@ -12,7 +12,7 @@ import { mapPart } from './map/map';
 import { placePart } from './place/place';
 import { Server } from './server/server';
 import { timePart } from './time/time';
-import { first_view, hash_of, read_hash, View } from './view';
+import { KEPT, first_view, hash_of, read_hash, View } from './view';
 import { whatIfPart } from './what_if/what_if';
 
 by_id('built-without').remove();
@@ -53,8 +53,8 @@ by_id('skip').addEventListener('click', (event) => {
 });
 
 let writing = 0;
-desk.onChange(() => {
-  keep_looks(view.values);
+desk.onChange((changed) => {
+  if (KEPT.some((key) => changed.has(key))) keep_looks(view.values);
   clearTimeout(writing);
   writing = window.setTimeout(() => {
     const hash = hash_of(view.values);

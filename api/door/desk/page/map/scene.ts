@@ -56,6 +56,22 @@ export function draw_things(
   at.replaceChildren(...made);
 }
 
+/** Up, right, down, left: where words stand beside a column. */
+const SIDES: readonly (readonly [number, number, string])[] = [
+  [0, -12, 'middle'],
+  [12, 5, 'start'],
+  [0, 22, 'middle'],
+  [-12, 5, 'end'],
+];
+
+/** Of the four sides the one that is farthest from all that points away from the column. */
+export function free_side(directions_deg: (number | null)[]): number {
+  const pointed = directions_deg.filter((degrees) => degrees !== null);
+  const room = (side: number): number =>
+    Math.min(180, ...pointed.map((degrees) => Math.abs(((degrees - side * 90 + 540) % 360) - 180)));
+  return [0, 1, 2, 3].reduce((best, side) => (room(side) > room(best) ? side : best), 2);
+}
+
 function area_words({ id, kind, to_direction_deg, in_force_now }: Area, look: Look): string {
   const lane = `traffic lane, to ${look.direction(to_direction_deg)}`;
   const what = kind === 'traffic_lane' ? lane : 'keep out';
@@ -110,10 +126,10 @@ export function draw_water(
     if (!shown.names || apart_px < NAMES_APART_PX) continue;
     const lines = is_known(column.bed_m) ? [`bed ${look.metres(column.bed_m)}`] : [];
     if (!with_labels) {
-      // On the side that the wind does not come from.
-      const from = weather.wind_from_deg ?? 0;
-      const down_px = from > 90 && from < 270 ? -12 : 22;
-      made.push(...lines.map((line) => text(here, 0, down_px, line, 'middle')));
+      const [right, down, anchor] = SIDES[
+        free_side([weather.wind_from_deg, weather.wave_from_deg, weather.current_to_deg])
+      ] ?? [0, 22, 'middle'];
+      made.push(...lines.map((line) => text(here, right, down, line, anchor)));
       continue;
     }
     // Words stand to leeward, where no barb is.

@@ -100,6 +100,14 @@ export function placePart(desk: Desk): HTMLElement {
     hodograph.draw();
     profile.say(`Current by depth. ${spoken[0] ?? ''}. The table below has all depths.`);
     hodograph.say(`Hodograph. ${spoken[0] ?? ''}.`);
+    for (const [pictured, word] of [
+      [wind, 'Wind'],
+      [waves, 'Waves'],
+      [tide, 'Tide'],
+    ] as const) {
+      const of_it = spoken.filter((line) => line.startsWith(word)).join('. ');
+      pictured.say(`${word} over the hours of the forecast. At the slider's hour: ${of_it}.`);
+    }
     if (in_numbers.open) table.replaceChildren(level_table(look, levels));
   };
   const show = (): void => {
