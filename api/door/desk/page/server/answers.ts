@@ -39,8 +39,7 @@ export interface SiteInSites {
   report: string | null;
 }
 
-/** /sites/ID; what the server leaves out, where a site is not described or has no forecast, is empty
- * here. */
+/** /sites/ID. The server leaves out what it does not know; here it is then empty. */
 export interface SiteMap {
   id: string;
   name: string;
