@@ -41,12 +41,14 @@ export class Tabs {
   }
 
   private show(): void {
-    this.panels.forEach(([panel, , made], i) => {
+    this.panels.forEach(([panel, title, made], i) => {
       const is_shown = panel === this.desk.view.values.panel;
       const box = this.boxes[i];
       const tab = this.tabs[i];
       if (box === undefined || tab === undefined) return;
-      if (is_shown && box.childElementCount === 0) box.append(made(this.desk));
+      if (is_shown && box.childElementCount === 0) {
+        box.append(element('h2', { class: 'unseen' }, title), made(this.desk));
+      }
       set_hidden(box, !is_shown);
       tab.setAttribute('aria-selected', String(is_shown));
       tab.tabIndex = is_shown ? 0 : -1;

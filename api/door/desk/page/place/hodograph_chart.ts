@@ -110,9 +110,10 @@ function arrow([x0, y0]: [number, number], [x, y]: [number, number]): SVGElement
   const length = Math.hypot(x - x0, y - y0);
   const degrees = (Math.atan2(x - x0, y0 - y) * 180) / Math.PI;
   const head = Math.min(9, length);
+  const [half, neck] = [head / 2, head - length];
   return drawn('path', {
     class: 'arrow',
     transform: `translate(${x0} ${y0}) rotate(${degrees.toFixed(1)})`,
-    d: `M0,0 V${-length} M${-head / 2},${head - length} L0,${-length} L${head / 2},${head - length}`,
+    d: `M0,0 V${-length} M${-half},${neck} L0,${-length} L${half},${neck}`,
   });
 }
