@@ -41,12 +41,12 @@ desk.onChange((changed) => {
 by_id('top').append(topPart(desk));
 by_id('map').append(mapPart(desk));
 by_id('time').append(timePart(desk));
-new Tabs(desk, by_id('panel'), [
+new Tabs(desk, by_id('tabs'), by_id('panel'), [
   ['decide', 'Decide', decidePart],
   ['place', 'Water at the place', placePart],
   ['what_if', 'What if', whatIfPart],
 ]);
-for (const id of ['map', 'time', 'panel']) by_id(id).hidden = false;
+for (const id of ['tabs', 'map', 'time', 'panel']) by_id(id).hidden = false;
 by_id('skip').addEventListener('click', (event) => {
   event.preventDefault(); // the address is the view's
   by_id('panel').focus();

@@ -11,11 +11,12 @@ export class Tabs {
 
   constructor(
     private readonly desk: Desk,
-    at: HTMLElement,
+    bar: HTMLElement,
+    private readonly panel: HTMLElement,
     private readonly panels: readonly (readonly [Panel, string, Made])[],
   ) {
     const list = element('div', { class: 'tabs', role: 'tablist', 'aria-label': 'Panels' });
-    at.append(list);
+    bar.append(list);
     for (const [panel, title] of panels) {
       const tab = button(title, () => desk.view.set({ panel }), {
         role: 'tab',
@@ -31,7 +32,7 @@ export class Tabs {
       this.tabs.push(tab);
       this.boxes.push(box);
       list.append(tab);
-      at.append(box);
+      this.panel.append(box);
     }
     list.addEventListener('keydown', (event) => this.step(event));
     desk.onChange((changed) => {
@@ -41,6 +42,8 @@ export class Tabs {
   }
 
   private show(): void {
+    // Where there is little room the map is shown with the place alone.
+    document.body.dataset.panel = this.desk.view.values.panel;
     this.panels.forEach(([panel, title, made], i) => {
       const is_shown = panel === this.desk.view.values.panel;
       const box = this.boxes[i];
