@@ -8,6 +8,7 @@
 #include "api/door/cli/stop_signals.h"
 #include "api/door/desk/desk_routes.h"
 #include "api/door/desk/interface_document.h"
+#include "api/door/desk/page_routes.h"
 #include "api/door/edr/service.h"
 #include "api/door/http/server.h"
 #include "api/door/live/forecast_service.h"
@@ -130,7 +131,8 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   const auto people = session_host(arguments, context);
   const auto forecasts = std::make_shared<IssuedFields>(context.store_folder);
   http::Router router;
-  edr::Beside beside{desk::interface_document(), {}};
+  edr::Beside beside{desk::interface_document(), desk::front_page};
+  desk::add_page_routes(router);
   desk::add_routes(router, {forecasts, freshness, context.store_folder, data_folder(),
                             static_cast<std::size_t>(arguments.threads)});
   options.guards_itself = desk::is_guarded_here;
