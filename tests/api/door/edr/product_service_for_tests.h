@@ -60,6 +60,15 @@ class ProductServiceForTests {
       request.query += (request.query.empty() ? "" : "&") + key + "=" + percent_encoded(value);
     return api::http::completed(router_(request));
   }
+  /// Whether it is left to the threads for long work.
+  [[nodiscard]] bool takes_long(const std::string& path, const std::string& query) const {
+    api::http::Request request;
+    request.method = "GET";
+    request.path = path;
+    request.query = query;
+    request.host = "edr.test";
+    return std::holds_alternative<api::http::LongWork>(router_(request));
+  }
   /// As it stands in a document.
   [[nodiscard]] api::http::Response get_link(const std::string& href) const {
     const std::string path = href.substr(std::string(base).size());

@@ -365,6 +365,62 @@ TEST(EdrProducts, TooMuchIsRefusedBeforeItIsRead) {
             std::string::npos);
 }
 
+TEST(EdrProducts, AllOfItIsLongWorkForItReadsFiles) {
+  EXPECT_TRUE(all_kinds().takes_long(std::string(currents) + "/position",
+                                     "coords=POINT(6.5%2054)&z=5&datetime=2025-03-10T06:00:00Z"));
+}
+
+TEST(EdrProducts, TheAntimeridianIsNoBorder) {
+  ProductServiceForTests service;
+  ProductForTests product = wind_product(day, 3);
+  product.longitude_deg = {179.8, 179.9, 180, 180.1, 180.2};
+  product.latitude_deg = {-17.1, -17, -16.9};
+  product.quantity("eastward_wind").value = [](const ProductCell& cell) {
+    return cell.longitude_deg - 175;
+  };
+  service.with(product);
+  const std::string instant = "2025-03-10T01:00:00Z";
+  for (const char* coords : {"POINT(-179.9 -17)", "POINT(180.1 -17)"}) {
+    const json answer = service.document(std::string(wind) + "/position",
+                                         {{"coords", coords}, {"datetime", instant}});
+    EXPECT_NEAR(values_of(answer, "eastward_wind").front(), 5.1, 1e-4) << coords;
+  }
+  const json across = service.document(
+      std::string(wind) + "/cube",
+      {{"bbox", "179.85,-17.05,-179.85,-16.95"}, {"z", "10"}, {"datetime", instant}});
+  const auto east = values_of(across, "eastward_wind");
+  ASSERT_EQ(east.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(east[i], 4.9 + 0.1 * static_cast<double>(i), 1e-4);
+}
+
+TEST(EdrProducts, WhatIsReadInPartsIsTheSame) {
+  ProductServiceForTests service;
+  ProductForTests product = wind_product(day, 90);  // 90 x 230 x 230: read in two parts
+  product.longitude_deg.clear();
+  product.latitude_deg.clear();
+  for (int i = 0; i < 230; ++i) {
+    product.longitude_deg.push_back(5 + 0.01 * i);
+    product.latitude_deg.push_back(53 + 0.01 * i);
+  }
+  const auto hour_of = [](const ProductCell& cell) { return hours_between(midnight, cell.time); };
+  product.quantity("eastward_wind").value = hour_of;
+  product.quantity("northward_wind").value = [](const ProductCell& cell) {
+    return cell.latitude_deg - 50;
+  };
+  service.with(product);
+  const json answer = service.document(
+      std::string(wind) + "/cube",
+      {{"bbox", "5,53,7.29,55.29"}, {"z", "10"}, {"resolution-x", "2"}, {"resolution-y", "2"}});
+  const auto east = values_of(answer, "eastward_wind");
+  const auto north = values_of(answer, "northward_wind");
+  ASSERT_EQ(east.size(), 360U);
+  for (std::size_t i = 0; i < east.size(); ++i) {
+    EXPECT_NEAR(east[i], static_cast<double>(i / 4), 1e-4) << i;
+    EXPECT_NEAR(north[i], i % 4 < 2 ? 3 : 5.29, 1e-4) << i;
+  }
+}
+
 /// Each value of a variable of time, latitude and longitude that stands in the file, by place.
 void expect_own_values(const ingest::netcdf::File& file, const char* variable, const json& answer,
                        const std::string& parameter, std::size_t time) {
