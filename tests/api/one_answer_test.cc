@@ -186,7 +186,7 @@ double level_from_profile(const std::filesystem::path& folder, const Asked& aske
   return json::parse(result.out).at("sea_level").at(level).get<double>();
 }
 
-/// What the DDS topic `/SITE/tide_level` says too (door/dds/message/site_messages.cc).
+/// What the DDS topic `/SITE/tide_level` says too (api/door/dds/message/site_messages.cc).
 double level_from_library(const std::filesystem::path& folder, const Asked& asked) {
   store::Store store = store::Store::open(folder, store::OpenMode::read_only);
   const auto row = api::forecast_in_force(store, {}).row;
