@@ -1,0 +1,49 @@
+#include "ingest/history/offer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fields/base/error.h"
+#include "tests/support/shared_data.h"
+
+namespace slackwater::ingest::offer_test {
+namespace {
+
+TEST(PartsOfAVector, AWindFromTheNorthBlowsToTheSouth) {
+  EXPECT_EQ(part_of(VectorPart::speed, 3, -4), 5);
+  EXPECT_NEAR(part_of(VectorPart::from_direction, 0, -4), 0, 1e-12);
+  EXPECT_NEAR(part_of(VectorPart::to_direction, 0, -4), 180, 1e-12);
+  EXPECT_NEAR(part_of(VectorPart::from_direction, 4, 0), 270, 1e-12);
+  EXPECT_NEAR(part_of(VectorPart::to_direction, 4, 0), 90, 1e-12);
+  EXPECT_NEAR(part_of(VectorPart::to_direction, -1, 1), 315, 1e-12);
+  EXPECT_TRUE(std::isnan(part_of(VectorPart::to_direction, 0, 0)));
+  EXPECT_TRUE(std::isnan(part_of(VectorPart::from_direction, NAN, 1)));
+}
+
+TEST(PartsOfAVector, DirectionsComeFromBothComponentsAlone) {
+  const Vocabulary words =
+      Vocabulary::load(slackwater::tests::source_folder() / "data" / "products" / "variables.yaml");
+  const std::vector<Offer> offers{{"u", "eastward_wind", "m s-1"},
+                                  {"hs", "sea_surface_wave_significant_height", "m"},
+                                  {"v", "northward_wind", "m s-1"}};
+  const auto made = making_of("wind_from_direction", offers, words);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->first, 0U);
+  EXPECT_EQ(made->second, 2U);
+  EXPECT_EQ(made->part, VectorPart::from_direction);
+  EXPECT_EQ(made->standard_name, "wind_from_direction");
+  EXPECT_FALSE(making_of("sea_water_velocity_to_direction", offers, words));
+  EXPECT_FALSE(making_of("wind_from_direction", {offers[0], offers[1]}, words));
+}
+
+TEST(PartsOfAVector, ComponentsOfOtherUnitsAreRefused) {
+  HistorySeries east;
+  east.unit = "m s-1";
+  HistorySeries north = east;
+  north.unit = "kt";
+  EXPECT_THROW(make_of_components(east, north, {}), Error);
+}
+
+}  // namespace
+}  // namespace slackwater::ingest::offer_test
