@@ -90,8 +90,8 @@ class CfHistory {
                name.empty() && known != nullptr)
         name = known->standard_name;
       if (name.empty()) continue;
-      offers_.push_back(
-          {variable.name, current_name(name, vocabulary_), variable.text("units").value_or("")});
+      offers_.push_back({variable.name, current_name(name, vocabulary_),
+                         variable.text("units").value_or(""), named != options_.columns.end()});
     }
     if (!has_times) refuse("found no time axis, a variable over one dimension in 'days since …'");
     if (!options_.time_column.empty() && file_.find(options_.time_column) == nullptr) {

@@ -258,7 +258,8 @@ class CsvHistory {
       if (is_ndbc_ && ndbc != nullptr)
         offer = {head_[c], std::string(ndbc->standard_name), std::string(ndbc->unit)};
       if (named != options_.columns.end())
-        offer = {head_[c], named->standard_name, named->unit.empty() ? offer.unit : named->unit};
+        offer = {head_[c], named->standard_name, named->unit.empty() ? offer.unit : named->unit,
+                 true};
       else if (vocabulary_.by_standard_name(offer.standard_name) == nullptr)
         continue;
       offer.standard_name = current_name(offer.standard_name, vocabulary_);

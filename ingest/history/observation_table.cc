@@ -121,7 +121,7 @@ class ObservationTable {
         quantity = vocabulary_.by_standard_name(named->standard_name);
         const std::string unit = quantity == nullptr ? "" : quantity->unit;
         offers_.push_back({variable, current_name(named->standard_name, vocabulary_),
-                           named->unit.empty() ? unit : named->unit});
+                           named->unit.empty() ? unit : named->unit, true});
       } else if (quantity != nullptr) {
         offers_.push_back(
             {variable, quantity->standard_name, quantity->unit == "K" ? "degC" : quantity->unit});

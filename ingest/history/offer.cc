@@ -26,20 +26,25 @@ constexpr std::array made_of_two{
          "northward_sea_water_velocity"},
 };
 
-/// The one offer of this standard name; nothing where there is none.
+/// The one offer of this standard name, or the one of several that the user names; nothing where
+/// there is none.
 std::optional<std::size_t> only_one(const std::string& standard_name,
                                     const std::vector<Offer>& offers) {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < offers.size(); ++i) {
-    if (offers[i].standard_name != standard_name) continue;
-    if (found)
-      throw Error(ErrorKind::invalid_input,
-                  "found two columns that are " + standard_name + ", '" + offers[*found].name +
-                      "' and '" + offers[i].name +
-                      "'; name the column itself in the limit, or leave one --column away");
-    found = i;
+  for (const bool by_name : {true, false}) {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+      if (offers[i].standard_name != standard_name || (by_name && !offers[i].is_named)) continue;
+      if (found)
+        throw Error(ErrorKind::invalid_input,
+                    "found two columns that are " + standard_name + ", '" + offers[*found].name +
+                        "' and '" + offers[i].name +
+                        "'; name the column itself in the limit, or one alone with --column '" +
+                        offers[i].name + "=" + standard_name + "'");
+      found = i;
+    }
+    if (found) return found;
   }
-  return found;
+  return std::nullopt;
 }
 
 }  // namespace

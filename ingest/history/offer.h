@@ -23,6 +23,7 @@ struct Offer {
   std::string name;
   std::string standard_name;  ///< CF, the current one of several that mean the same
   std::string unit;           ///< empty: nobody says
+  bool is_named = false;      ///< the user says that it is this quantity
 };
 
 /// What is made of the two components of a vector.
@@ -50,7 +51,7 @@ void make_of_components(HistorySeries& east, const HistorySeries& north, const M
 
 /// How a wanted quantity comes from what a file offers: by the column's own name, by its standard
 /// name, or, speeds and directions of wind and current, from the two components. Nothing where the
-/// file has none of these.
+/// file has none of these. Of several of one standard name the one that the user names is meant.
 /// @throws Error(invalid_input) where two columns are the same quantity
 [[nodiscard]] std::optional<Making> making_of(const std::string& wanted,
                                               const std::vector<Offer>& offers,

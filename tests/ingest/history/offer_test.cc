@@ -37,6 +37,23 @@ TEST(PartsOfAVector, DirectionsComeFromBothComponentsAlone) {
   EXPECT_FALSE(making_of("wind_from_direction", {offers[0], offers[1]}, words));
 }
 
+TEST(SeveralOfOneQuantity, TheOneThatTheUserNamesIsMeant) {
+  const Vocabulary words =
+      Vocabulary::load(slackwater::tests::source_folder() / "data" / "products" / "variables.yaml");
+  std::vector<Offer> offers{{"ff10", "wind_speed", "m s-1"},
+                            {"ff100", "wind_speed", "m s-1"},
+                            {"ff250", "wind_speed", "m s-1"}};
+  EXPECT_THROW(static_cast<void>(making_of("wind_speed", offers, words)), Error);
+  EXPECT_EQ(making_of("ff250", offers, words)->first, 2U);
+  for (std::size_t i = 0; i < offers.size(); ++i) {
+    offers[i].is_named = true;
+    EXPECT_EQ(making_of("wind_speed", offers, words)->first, i);
+    offers[i].is_named = false;
+  }
+  offers[0].is_named = offers[2].is_named = true;
+  EXPECT_THROW(static_cast<void>(making_of("wind_speed", offers, words)), Error);
+}
+
 TEST(PartsOfAVector, ComponentsOfOtherUnitsAreRefused) {
   HistorySeries east;
   east.unit = "m s-1";

@@ -64,7 +64,7 @@ std::vector<StormPeak> made_up_storms(const Pareto& truth, double threshold, dou
   return peaks;
 }
 
-/// What a 90 % interval promises, held against 500 histories of 20 years whose truth is known. It
+/// What a 90 % interval promises, held against 300 histories of 20 years whose truth is known. It
 /// holds the truth 85 to 93 times in 100: a parametric bootstrap falls a little short, and nearly
 /// all of what it misses lies above it (api/docs/climate.md says so).
 TEST(StormExtremes, IntervalsHoldTheTruthNineTimesInTen) {
@@ -79,7 +79,7 @@ TEST(StormExtremes, IntervalsHoldTheTruthNineTimesInTen) {
     Rng random(11, "tests/storm_extremes");
     int held[2] = {0, 0};
     int below[2] = {0, 0};
-    const int twins = 500;
+    const int twins = 300;
     for (int twin = 0; twin < twins; ++twin) {
       question.seed = static_cast<std::uint64_t>(twin);
       const auto fit = peaks_fit(made_up_storms(truth, threshold, per_year, years, random),
@@ -93,9 +93,9 @@ TEST(StormExtremes, IntervalsHoldTheTruthNineTimesInTen) {
         below[v] += value < one.interval.low ? 1 : 0;
       }
     }
-    // Three standard deviations of 500 throws at 0.89 are 0.042.
+    // Three standard deviations of 300 throws at 0.89 are 0.054.
     for (std::size_t v = 0; v < 2; ++v) {
-      EXPECT_NEAR(1.0 * held[v] / twins, 0.89, 0.045) << shape << " " << v;
+      EXPECT_NEAR(1.0 * held[v] / twins, 0.89, 0.055) << shape << " " << v;
       EXPECT_LE(1.0 * below[v] / twins, 0.05) << shape << " " << v;
     }
   }
@@ -108,7 +108,7 @@ TEST(StormExtremes, IntervalsOfMaximaHoldTheTruthNineTimesInTen) {
   question.resamples = 200;
   Rng random(12, "tests/year_maxima");
   int held = 0;
-  const int twins = 500;
+  const int twins = 300;
   for (int twin = 0; twin < twins; ++twin) {
     std::vector<double> maxima(25);
     for (double& value : maxima) value = truth.not_exceeded_with(1 - random.uniform());
@@ -118,7 +118,7 @@ TEST(StormExtremes, IntervalsOfMaximaHoldTheTruthNineTimesInTen) {
     const double value = truth.not_exceeded_with(std::exp(-1.0 / 50));
     held += fit->returns[0].interval.low <= value && value <= fit->returns[0].interval.high;
   }
-  EXPECT_NEAR(1.0 * held / twins, 0.89, 0.045);
+  EXPECT_NEAR(1.0 * held / twins, 0.89, 0.055);
 }
 
 /// Hourly: a calm sea with storms of some hours, days apart, whose peaks are Pareto over 4.
