@@ -165,6 +165,8 @@ TEST_F(ClimateCommand, ClassesInAnotherUnitAreNotMovedByRounding) {
       answer({file, "--column", "Hs=" + height + ":cm", "--roses", "--classes", "waves=0.57 m"});
   const json& sector = found.at("parts").at(0).at("rose").at("sectors").at(0);
   EXPECT_EQ(sector.at("by_class"), (json{0.25, 0.75}));
+  const ProgramResult told = run({file, "--column", "Hs=" + height + ":cm", "--roses"});
+  EXPECT_TRUE(contains(told.out, "Waves: " + height + ", m (Hs)")) << told.out;
 }
 
 TEST_F(ClimateCommand, GapsAreToldByMonthAndAreNoCalms) {

@@ -42,7 +42,8 @@ std::vector<ReturnValue> asked(const ExtremesQuestion& question, double history_
   for (const double years : question.return_years) {
     ReturnValue one;
     one.years = years;
-    if (years > most_histories * history_years) one.support = ReturnSupport::beyond_history;
+    // A day or two that whole years lack take nothing away.
+    if (years > 1.01 * most_histories * history_years) one.support = ReturnSupport::beyond_history;
     returns.push_back(one);
   }
   return returns;

@@ -50,12 +50,14 @@ std::string coverage_text(const ClimateAnswer& answer) {
 std::string spread_text(const ClimatePart& part, const History& history) {
   const ClimateKind& kind = kind_of(part.of);
   const ClimateSpread& spread = part.spread;
+  const std::string& series = history.series[part.series].name;
   return formatted(
-      "\n{}: {}, {}\n  mean {:.2f}; half of the time at most {:.2f}, 9 in 10 at most {:.2f}, 99 in "
+      "\n{}: {}, {}{}\n  mean {:.2f}; half of the time at most {:.2f}, 9 in 10 at most {:.2f}, 99 "
+      "in "
       "100 at most {:.2f}; greatest {:.2f}, {}\n",
-      sentence(kind.word).substr(0, kind.word.size()), kind.size_name, kind.unit, spread.mean,
-      spread.p50, spread.p90, spread.p99, spread.greatest,
-      format_utc(history.regular.clock.time_of(spread.greatest_step)));
+      sentence(kind.word).substr(0, kind.word.size()), kind.size_name, kind.unit,
+      series == kind.size_name ? "" : " (" + series + ")", spread.mean, spread.p50, spread.p90,
+      spread.p99, spread.greatest, format_utc(history.regular.clock.time_of(spread.greatest_step)));
 }
 
 std::string rose_text(const ClimateKind& kind, const ClimateRose& rose) {

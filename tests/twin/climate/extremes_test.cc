@@ -222,6 +222,17 @@ TEST(StormExtremes, PeriodsBeyondTheHistoryAreNotSupported) {
   EXPECT_EQ(found.gumbel->returns[3].support, ReturnSupport::beyond_history);
 }
 
+TEST(StormExtremes, ADayOfWholeYearsMayBeMissing) {
+  MadeUpSea sea = made_up_sea(5, {1.0, 0}, 4);
+  std::fill_n(sea.values.begin(), 36, nan);
+  ExtremesQuestion question;
+  question.return_years = {20, 21};
+  const Extremes found = extremes_of(sea.values, sea.clock, question);
+  ASSERT_TRUE(found.peaks);
+  EXPECT_EQ(found.peaks->returns[0].support, ReturnSupport::supported);
+  EXPECT_EQ(found.peaks->returns[1].support, ReturnSupport::beyond_history);
+}
+
 TEST(StormExtremes, WhatIsTooShortIsRefused) {
   const MadeUpSea sea = made_up_sea(2, {1.0, 0}, 4);
   const Extremes found = extremes_of(sea.values, sea.clock, {});
