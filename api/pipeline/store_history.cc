@@ -1,6 +1,6 @@
 #include "api/pipeline/store_history.h"
 
-#include <cmath>
+#include <optional>
 
 #include "api/pipeline/load_site_data.h"
 #include "fields/base/constants.h"
@@ -68,6 +68,14 @@ std::vector<double> weights_at(const std::vector<double>& levels_m, std::optiona
                         *depth_m, levels_m.back()));
 }
 
+/// What is made of the components of a vector; nothing for a component itself.
+std::optional<ingest::VectorPart> part_named(const std::string& name) {
+  if (name.ends_with("_speed")) return ingest::VectorPart::speed;
+  if (name.ends_with("_from_direction")) return ingest::VectorPart::from_direction;
+  if (name.ends_with("_to_direction")) return ingest::VectorPart::to_direction;
+  return std::nullopt;
+}
+
 class StoreHistory {
  public:
   StoreHistory(const SiteData& data, std::optional<double> depth_m,
@@ -82,8 +90,9 @@ class StoreHistory {
     for (const char* name :
          {"sea_surface_wave_significant_height",
           "sea_surface_wave_period_at_variance_spectral_density_maximum",
-          "sea_surface_wave_from_direction", "wind_speed", "eastward_wind", "northward_wind",
-          "sea_water_speed", "eastward_sea_water_velocity", "northward_sea_water_velocity"}) {
+          "sea_surface_wave_from_direction", "wind_speed", "wind_from_direction", "eastward_wind",
+          "northward_wind", "sea_water_speed", "sea_water_velocity_to_direction",
+          "eastward_sea_water_velocity", "northward_sea_water_velocity"}) {
       if (is_stored(name)) names.emplace_back(name);
     }
     return names;
@@ -112,8 +121,9 @@ class StoreHistory {
       for (const auto& value : level.value) {
         if (!value)
           series.value.push_back(missing);
-        else if (name.ends_with("_speed"))
-          series.value.push_back(static_cast<float>(std::abs(*value)));
+        else if (const auto part = part_named(name))
+          series.value.push_back(
+              static_cast<float>(ingest::part_of(*part, value->real(), value->imag())));
         else
           series.value.push_back(name.starts_with("east") ? value->real() : value->imag());
       }
@@ -130,8 +140,10 @@ class StoreHistory {
     return nullptr;
   }
   [[nodiscard]] const VectorRecord* vector(const std::string& name) const {
-    if (name == "wind_speed" || name.ends_with("ward_wind")) return &column_.wind;
-    if (name == "sea_water_speed" || name.ends_with("ward_sea_water_velocity"))
+    if (name == "wind_speed" || name == "wind_from_direction" || name.ends_with("ward_wind"))
+      return &column_.wind;
+    if (name == "sea_water_speed" || name == "sea_water_velocity_to_direction" ||
+        name.ends_with("ward_sea_water_velocity"))
       return &column_.current;
     return nullptr;
   }

@@ -49,7 +49,7 @@ class CfHistory {
     answer.offered = names_offered(offers_, options_);
     const auto read_making = [&](const Making& making, std::vector<std::string>& warnings) {
       HistorySeries series = read_one(making.first, warnings);
-      if (making.second) make_speed(series, *making.second, warnings);
+      if (making.second) make_of_components(series, read_one(*making.second, warnings), making);
       return series;
     };
     read_wanted(wanted, offers_, vocabulary_, read_making, answer);
@@ -90,8 +90,8 @@ class CfHistory {
                name.empty() && known != nullptr)
         name = known->standard_name;
       if (name.empty()) continue;
-      offers_.push_back(
-          {variable.name, current_name(name, vocabulary_), variable.text("units").value_or("")});
+      offers_.push_back({variable.name, current_name(name, vocabulary_),
+                         variable.text("units").value_or(""), named != options_.columns.end()});
     }
     if (!has_times) refuse("found no time axis, a variable over one dimension in 'days since …'");
     if (!options_.time_column.empty() && file_.find(options_.time_column) == nullptr) {
@@ -112,8 +112,9 @@ class CfHistory {
     const SeriesDimensions dimensions = dimensions_of(variable, axes.time_dimension, "");
     const SeriesValues read =
         read_series(file_, variable, dimensions, 0, unit_of(offer, variable), warnings);
-    const std::vector<double> weight =
+    std::vector<double> weight =
         level_weights(variable, dimensions, read.levels, axes.time_dimension);
+    if (is_direction(offer.standard_name)) keep_nearest(weight);
     const SeriesTimes times = series_times_of(file_, axes, warnings);
     HistorySeries series;
     series.name = offer.name;
@@ -145,21 +146,17 @@ class CfHistory {
     return series;
   }
 
+  /// Of directions the nearer level alone counts: half-way from 350 to 10 degrees is not 180.
+  static void keep_nearest(std::vector<double>& weight) {
+    const auto nearest = std::max_element(weight.begin(), weight.end()) - weight.begin();
+    std::fill(weight.begin(), weight.end(), 0.0);
+    weight[static_cast<std::size_t>(nearest)] = 1;
+  }
+
   static std::string unit_of(const Offer& offer, const netcdf::Variable& variable) {
     if (!offer.unit.empty()) return offer.unit;
     refuse("variable '" + variable.name + "': found no units; name them, as --column '" +
            offer.name + "=" + offer.standard_name + ":UNIT'");
-  }
-
-  void make_speed(HistorySeries& east, std::size_t index, std::vector<std::string>& warnings) {
-    const HistorySeries north = read_one(index, warnings);
-    if (north.time != east.time || north.unit != east.unit)
-      refuse("components '" + east.name + "' and '" + north.name +
-             "': found other times or units, expected the same for both");
-    for (std::size_t t = 0; t < east.value.size(); ++t)
-      east.value[t] = static_cast<float>(std::hypot(east.value[t], north.value[t]));
-    east.standard_name = east.standard_name == "eastward_wind" ? "wind_speed" : "sea_water_speed";
-    east.name += " and " + north.name;
   }
 
   /// A grid, or several stations, is more than one place.

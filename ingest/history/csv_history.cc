@@ -258,7 +258,8 @@ class CsvHistory {
       if (is_ndbc_ && ndbc != nullptr)
         offer = {head_[c], std::string(ndbc->standard_name), std::string(ndbc->unit)};
       if (named != options_.columns.end())
-        offer = {head_[c], named->standard_name, named->unit.empty() ? offer.unit : named->unit};
+        offer = {head_[c], named->standard_name, named->unit.empty() ? offer.unit : named->unit,
+                 true};
       else if (vocabulary_.by_standard_name(offer.standard_name) == nullptr)
         continue;
       offer.standard_name = current_name(offer.standard_name, vocabulary_);
@@ -304,8 +305,7 @@ class CsvHistory {
     if (making->second) {
       const Offer& second = offers_[*making->second];
       series.name += " and " + second.name;
-      series.standard_name =
-          first.standard_name == "eastward_wind" ? "wind_speed" : "sea_water_speed";
+      series.standard_name = making->standard_name;
       if (first.unit != second.unit)
         refuse("columns '" + first.name + "' and '" + second.name + "': found units '" +
                first.unit + "' and '" + second.unit + "', expected the same for both components");
@@ -314,6 +314,7 @@ class CsvHistory {
       refuse("column '" + first.name + "' (" + first.standard_name +
              "): found no unit; name it, as --column '" + first.name + "=" + first.standard_name +
              ":UNIT'");
+    if (making->second && making->part != VectorPart::speed) series.unit = "degree";
     return series;
   }
 
@@ -374,7 +375,7 @@ class CsvHistory {
     series.value = first.value;
     if (!making.second) return;
     for (std::size_t t = 0; t < series.value.size(); ++t)
-      series.value[t] = std::hypot(first.value[t], columns_[*making.second].value[t]);
+      series.value[t] = part_of(making.part, first.value[t], columns_[*making.second].value[t]);
   }
 
   void read_rows(const std::vector<std::size_t>& offers) {

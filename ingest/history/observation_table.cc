@@ -36,7 +36,8 @@ std::optional<double> decimal_in(const std::string& cell) {
 }
 
 /// The value at a depth, between two observations linearly; NaN outside.
-double at_depth(const std::vector<Observation>& column, double depth_m) {
+/// @param nearest  the nearer one alone: half-way from 350 to 10 degrees is not 180
+double at_depth(const std::vector<Observation>& column, double depth_m, bool nearest) {
   const Observation* above = nullptr;
   const Observation* below = nullptr;
   for (const Observation& one : column) {
@@ -46,6 +47,7 @@ double at_depth(const std::vector<Observation>& column, double depth_m) {
   if (above == nullptr || below == nullptr) return constants::nan;
   if (above->depth_m == below->depth_m) return above->value;
   const double share = (depth_m - above->depth_m) / (below->depth_m - above->depth_m);
+  if (nearest) return share > 0.5 ? below->value : above->value;
   return (1 - share) * above->value + share * below->value;
 }
 
@@ -73,7 +75,8 @@ class ObservationTable {
     answer.offered = names_offered(offers_, options_);
     const auto read_making = [&](const Making& making, std::vector<std::string>& warnings) {
       HistorySeries series = series_of(offers_[making.first], warnings);
-      if (making.second) make_speed(series, offers_[*making.second], warnings);
+      if (making.second)
+        make_of_components(series, series_of(offers_[*making.second], warnings), making);
       return series;
     };
     read_wanted(wanted, offers_, vocabulary_, read_making, answer);
@@ -118,7 +121,7 @@ class ObservationTable {
         quantity = vocabulary_.by_standard_name(named->standard_name);
         const std::string unit = quantity == nullptr ? "" : quantity->unit;
         offers_.push_back({variable, current_name(named->standard_name, vocabulary_),
-                           named->unit.empty() ? unit : named->unit});
+                           named->unit.empty() ? unit : named->unit, true});
       } else if (quantity != nullptr) {
         offers_.push_back(
             {variable, quantity->standard_name, quantity->unit == "K" ? "degC" : quantity->unit});
@@ -157,7 +160,8 @@ class ObservationTable {
         column.push_back(all[i]);
       series.time.push_back(column.front().time);
       series.value.push_back(depths.size() == 1 ? column.front().value
-                                                : at_depth(column, *options_.depth_m));
+                                                : at_depth(column, *options_.depth_m,
+                                                           is_direction(offer.standard_name)));
     }
     for (std::string& told : take_as_missing(series, options_.missing, "--missing"))
       warnings.push_back(std::move(told));
@@ -204,17 +208,6 @@ class ObservationTable {
       warnings.push_back(formatted("{} of {} values of '{}' are flagged bad; they count as missing",
                                    flagged, all.size(), variable));
     return all;
-  }
-
-  void make_speed(HistorySeries& east, const Offer& northward, std::vector<std::string>& warnings) {
-    const HistorySeries north = series_of(northward, warnings);
-    if (north.time != east.time || north.unit != east.unit)
-      refuse("components '" + east.name + "' and '" + north.name +
-             "': found other times or units, expected the same for both");
-    for (std::size_t t = 0; t < east.value.size(); ++t)
-      east.value[t] = std::hypot(east.value[t], north.value[t]);
-    east.standard_name = east.standard_name == "eastward_wind" ? "wind_speed" : "sea_water_speed";
-    east.name += " and " + north.name;
   }
 
   std::filesystem::path file_;

@@ -2,36 +2,49 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "fields/base/turn.h"
 
 namespace slackwater::ingest {
 namespace {
 
-struct Speed {
+struct Made {
   const char* name;
+  VectorPart part;
   const char* east;
   const char* north;
 };
-constexpr std::array speeds{
-    Speed{"wind_speed", "eastward_wind", "northward_wind"},
-    Speed{"sea_water_speed", "eastward_sea_water_velocity", "northward_sea_water_velocity"},
+constexpr std::array made_of_two{
+    Made{"wind_speed", VectorPart::speed, "eastward_wind", "northward_wind"},
+    Made{"wind_from_direction", VectorPart::from_direction, "eastward_wind", "northward_wind"},
+    Made{"sea_water_speed", VectorPart::speed, "eastward_sea_water_velocity",
+         "northward_sea_water_velocity"},
+    Made{"sea_water_velocity_to_direction", VectorPart::to_direction, "eastward_sea_water_velocity",
+         "northward_sea_water_velocity"},
 };
 
-/// The one offer of this standard name; nothing where there is none.
+/// The one offer of this standard name, or the one of several that the user names; nothing where
+/// there is none.
 std::optional<std::size_t> only_one(const std::string& standard_name,
                                     const std::vector<Offer>& offers) {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < offers.size(); ++i) {
-    if (offers[i].standard_name != standard_name) continue;
-    if (found)
-      throw Error(ErrorKind::invalid_input,
-                  "found two columns that are " + standard_name + ", '" + offers[*found].name +
-                      "' and '" + offers[i].name +
-                      "'; name the column itself in the limit, or leave one --column away");
-    found = i;
+  for (const bool by_name : {true, false}) {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+      if (offers[i].standard_name != standard_name || (by_name && !offers[i].is_named)) continue;
+      if (found)
+        throw Error(ErrorKind::invalid_input,
+                    "found two columns that are " + standard_name + ", '" + offers[*found].name +
+                        "' and '" + offers[i].name +
+                        "'; name the column itself in the limit, or one alone with --column '" +
+                        offers[i].name + "=" + standard_name + "'");
+      found = i;
+    }
+    if (found) return found;
   }
-  return found;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -54,6 +67,31 @@ NamedColumn parse_named_column(const std::string& text) {
   return named;
 }
 
+double part_of(VectorPart part, double east, double north) noexcept {
+  if (part == VectorPart::speed) return std::hypot(east, north);
+  if (east == 0 && north == 0) return constants::nan;
+  const double turn = part == VectorPart::from_direction ? 180 : 0;
+  return compass_deg(std::atan2(east, north) * 180 / constants::pi + turn);
+}
+
+void make_of_components(HistorySeries& east, const HistorySeries& north, const Making& making) {
+  if (north.time != east.time || north.unit != east.unit)
+    refuse("components '" + east.name + "' and '" + north.name +
+           "': found other times or units, expected the same for both");
+  for (std::size_t t = 0; t < east.value.size(); ++t) {
+    double& value = east.value[t];
+    value = part_of(making.part, value, north.value[t]);
+    if (east.is_single_precision) value = static_cast<float>(value);
+  }
+  if (making.part != VectorPart::speed) east.unit = "degree";
+  east.standard_name = making.standard_name;
+  east.name += " and " + north.name;
+}
+
+bool is_direction(const std::string& standard_name) {
+  return standard_name.find("_direction") != std::string::npos;
+}
+
 std::string current_name(const std::string& name, const Vocabulary& vocabulary) {
   const Quantity* quantity = vocabulary.by_standard_name(name);
   return quantity == nullptr ? name : quantity->standard_name;
@@ -66,11 +104,11 @@ std::optional<Making> making_of(const std::string& wanted, const std::vector<Off
   if (own != offers.end()) return Making{static_cast<std::size_t>(own - offers.begin())};
   const std::string name = current_name(wanted, vocabulary);
   if (const auto one = only_one(name, offers)) return Making{*one};
-  for (const Speed& speed : speeds) {
-    if (name != speed.name) continue;
-    const auto east = only_one(speed.east, offers);
-    const auto north = only_one(speed.north, offers);
-    if (east && north) return Making{*east, north};
+  for (const Made& made : made_of_two) {
+    if (name != made.name) continue;
+    const auto east = only_one(made.east, offers);
+    const auto north = only_one(made.north, offers);
+    if (east && north) return Making{*east, north, made.part, made.name};
   }
   return std::nullopt;
 }

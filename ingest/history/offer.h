@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fields/record/history_series.h"
 #include "ingest/copernicus/vocabulary.h"
 
 namespace slackwater::ingest {
@@ -22,17 +23,35 @@ struct Offer {
   std::string name;
   std::string standard_name;  ///< CF, the current one of several that mean the same
   std::string unit;           ///< empty: nobody says
+  bool is_named = false;      ///< the user says that it is this quantity
 };
 
-/// What a wanted quantity is made of: one column, or two components of a vector whose speed it is.
+/// What is made of the two components of a vector.
+enum class VectorPart { speed, from_direction, to_direction };
+
+/// What a wanted quantity is made of: one column, or the two components of a vector, east and
+/// north.
 struct Making {
   std::size_t first = 0;
   std::optional<std::size_t> second{};
+  VectorPart part = VectorPart::speed;  ///< of two
+  std::string standard_name{};          ///< of what is made of two
 };
 
+/// The speed of a vector, or its direction in degrees clockwise from north, [0, 360): NaN of a
+/// vector of no length.
+[[nodiscard]] double part_of(VectorPart part, double east, double north) noexcept;
+
+/// Makes of the series of an eastward component what is wanted of both.
+/// @throws Error(invalid_input) where times or units of the two differ
+void make_of_components(HistorySeries& east, const HistorySeries& north, const Making& making);
+
+/// Whether the values of a quantity are directions, between which nothing is interpolated.
+[[nodiscard]] bool is_direction(const std::string& standard_name);
+
 /// How a wanted quantity comes from what a file offers: by the column's own name, by its standard
-/// name, or, `wind_speed` and `sea_water_speed`, from the two components. Nothing where the file
-/// has none of these.
+/// name, or, speeds and directions of wind and current, from the two components. Nothing where the
+/// file has none of these. Of several of one standard name the one that the user names is meant.
 /// @throws Error(invalid_input) where two columns are the same quantity
 [[nodiscard]] std::optional<Making> making_of(const std::string& wanted,
                                               const std::vector<Offer>& offers,

@@ -99,7 +99,11 @@ class Gathered {
     sources_ += (sources_.empty() ? "" : ", ") + source;
     columns_.insert(columns_.end(), found.columns.begin(), found.columns.end());
     offered_.insert(offered_.end(), found.offered.begin(), found.offered.end());
-    for (const std::string& warning : found.warnings) notes_.push_back(source + ": " + warning);
+    for (const std::string& warning : found.warnings) {
+      // A component is read for the speed and for the direction.
+      const std::string note = source + ": " + warning;
+      if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
+    }
     for (std::size_t i = 0; i < found.series.size(); ++i) {
       if (found.series[i] && !found.series[i]->time.empty())
         parts_[i].push_back(std::move(*found.series[i]));
@@ -118,23 +122,26 @@ class Gathered {
   /// @param needed  so many of the wanted variables from the first on; of the others those that
   ///                there are
   /// @param history  gets them and their names
-  /// @throws Error(not_found) for a needed variable that nobody has
+  /// @throws Error(not_found) for a needed variable that nobody has, and where there is none at all
   void series_into(std::size_t needed, History& history) {
     history.wanted.clear();
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       if (parts_[i].empty() && i >= needed) continue;
-      if (parts_[i].empty()) throw not_there(wanted_[i]);
+      if (parts_[i].empty()) throw not_there({wanted_[i]});
       history.wanted.push_back(wanted_[i]);
       history.series.push_back(joined_in_time(std::move(parts_[i])));
     }
+    if (history.series.empty()) throw not_there(wanted_);
   }
 
   [[nodiscard]] const std::string& sources() const { return sources_; }
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  [[nodiscard]] Error not_there(const std::string& name) const {
-    std::string found = sources_ + ": found no " + name + did_you_mean(name, offered_);
+  [[nodiscard]] Error not_there(const std::vector<std::string>& names) const {
+    const std::string& name = names.front();
+    std::string found = sources_ + ": found no " + joined(names, ", no ");
+    if (names.size() == 1) found += did_you_mean(name, offered_);
     if (!offered_.empty()) found += "; there is " + joined(offered_, ", ");
     if (!columns_.empty()) {
       found += "; the columns are " + joined(columns_, ", ") +
@@ -171,16 +178,33 @@ Gathered gather(const HistorySource& source, History& history,
 
 }  // namespace
 
-History load_history(const HistorySource& source, const std::vector<SeriesLimit>& limits,
+std::optional<std::size_t> place_of(const std::string& name, const History& history) {
+  const auto found = std::find(history.wanted.begin(), history.wanted.end(), name);
+  if (found == history.wanted.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - history.wanted.begin());
+}
+
+std::vector<double> values_in(const std::string& unit, const std::string& name,
+                              const History& history) {
+  const auto place = place_of(name, history);
+  if (!place) return {};
+  const HistorySeries& series = history.series[*place];
+  const auto conversion =
+      ingest::unit_conversion(series.unit, unit, "'" + series.name + "' in " + series.source);
+  std::vector<double> values = history.regular.values[*place];
+  if (!conversion.is_identity())
+    for (double& value : values) value = conversion.scale * value + conversion.offset;
+  return values;
+}
+
+History load_history(const HistorySource& source, const WantedSeries& wanted,
                      const ingest::Vocabulary& vocabulary) {
   History history;
-  history.wanted = wanted_by(limits);
-  const std::size_t needed = history.wanted.size();
-  const std::vector<std::string> more = wanted_if_there(limits, history.wanted);
-  history.wanted.insert(history.wanted.end(), more.begin(), more.end());
+  history.wanted = wanted.needed;
+  history.wanted.insert(history.wanted.end(), wanted.if_there.begin(), wanted.if_there.end());
   history.place = source.place;
   Gathered gathered = gather(source, history, vocabulary);
-  gathered.series_into(needed, history);
+  gathered.series_into(wanted.needed.size(), history);
   history.source = gathered.sources();
   history.notes = gathered.notes();
   for (HistorySeries& series : history.series) cut(series, source.from, source.to);
@@ -191,6 +215,15 @@ History load_history(const HistorySource& source, const std::vector<SeriesLimit>
     series.time = {};
     series.value = {};
   }
+  return history;
+}
+
+History load_history(const HistorySource& source, const std::vector<SeriesLimit>& limits,
+                     const ingest::Vocabulary& vocabulary) {
+  WantedSeries wanted;
+  wanted.needed = wanted_by(limits);
+  wanted.if_there = wanted_if_there(limits, wanted.needed);
+  History history = load_history(source, wanted, vocabulary);
   for (const SeriesLimit& limit : limits)
     if (const std::string unknown = unknown_sea_of(limit, history); !unknown.empty())
       history.notes.push_back(unknown);

@@ -34,12 +34,30 @@ struct History {
   std::vector<std::string> notes;     ///< what a reader should know
 };
 
-/// Reads the variables of some limits. Several files are joined: other variables beside each
-/// other, other times of one variable one after the other. Files are read in processes of their
-/// own, since NetCDF's library may crash on a damaged one.
-/// @throws Error(not_found) where no file, or not the store, has a variable that a limit asks for,
-///         naming those that there are; what `read_history` throws; Error(invalid_input) for times
-///         that two files both have, and for variables that share no steps
+/// Which variables are read: standard names, or names of columns.
+struct WantedSeries {
+  std::vector<std::string> needed;
+  std::vector<std::string> if_there;  ///< in the history where somebody has them
+};
+
+/// Reads variables. Several files are joined: other variables beside each other, other times of one
+/// variable one after the other. Files are read in processes of their own, since NetCDF's library
+/// may crash on a damaged one.
+/// @throws Error(not_found) where no file, or not the store, has a variable that is needed, or any
+///         at all, naming those that there are; what `read_history` throws; Error(invalid_input)
+///         for times that two files both have, and for variables that share no steps
+[[nodiscard]] History load_history(const HistorySource& source, const WantedSeries& wanted,
+                                   const ingest::Vocabulary& vocabulary);
+
+/// The place of a variable in `wanted` and `series`; nothing where the history has none.
+[[nodiscard]] std::optional<std::size_t> place_of(const std::string& name, const History& history);
+
+/// Values of a variable in a unit, one a step; empty where the history has none.
+[[nodiscard]] std::vector<double> values_in(const std::string& unit, const std::string& name,
+                                            const History& history);
+
+/// Reads the variables of some limits.
+/// @throws what `load_history` of variables does
 [[nodiscard]] History load_history(const HistorySource& source,
                                    const std::vector<SeriesLimit>& limits,
                                    const ingest::Vocabulary& vocabulary);

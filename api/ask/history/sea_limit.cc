@@ -16,25 +16,6 @@ constexpr const char* height_name = "sea_surface_wave_significant_height";
 constexpr const char* period_name = "sea_surface_wave_period_at_variance_spectral_density_maximum";
 constexpr const char* direction_name = "sea_surface_wave_from_direction";
 
-std::optional<std::size_t> place_of(const std::string& name, const History& history) {
-  const auto found = std::find(history.wanted.begin(), history.wanted.end(), name);
-  if (found == history.wanted.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - history.wanted.begin());
-}
-
-/// Values in a unit; empty where the history has none.
-std::vector<double> values_in(const std::string& unit, const char* name, const History& history) {
-  const auto place = place_of(name, history);
-  if (!place) return {};
-  const HistorySeries& series = history.series[*place];
-  const auto conversion =
-      ingest::unit_conversion(series.unit, unit, "'" + series.name + "' in " + series.source);
-  std::vector<double> values = history.regular.values[*place];
-  if (!conversion.is_identity())
-    for (double& value : values) value = conversion.scale * value + conversion.offset;
-  return values;
-}
-
 }  // namespace
 
 bool is_limit_file(const std::string& text) {

@@ -150,6 +150,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_score(app, context);
   add_windows(app, context);
   add_workability(app, context);
+  add_climate(app, context);
   add_plan(app, context);
   add_report(app, context);
   add_decide(app, context);

@@ -75,6 +75,7 @@ void add_rehearse(CLI::App& app, Context& context);
 void add_score(CLI::App& app, Context& context);
 void add_windows(CLI::App& app, Context& context);
 void add_workability(CLI::App& app, Context& context);
+void add_climate(CLI::App& app, Context& context);
 void add_plan(CLI::App& app, Context& context);
 void add_report(CLI::App& app, Context& context);
 void add_decide(CLI::App& app, Context& context);

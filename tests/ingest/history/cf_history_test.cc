@@ -128,6 +128,29 @@ TEST_F(CfHistory, ACurrentIsReadAtADepthBetweenItsLevels) {
   EXPECT_THROW(speed_at(25), Error);
 }
 
+/// Between a current to north and one to east, as strong: to the north-east, not to 45 of any two
+/// numbers.
+TEST_F(CfHistory, ADirectionIsMadeOfTheComponentsBetweenLevels) {
+  slackwater::tests::PointSeriesForTests point;
+  point.depth_m = {5, 15};
+  point.time = slackwater::tests::stepping_times(parse_day("2002-01-01"), 1, 60);
+  point.value = [](UtcTime, double depth_m) {
+    return depth_m < 10 ? Horizontal(-0.3, 0.3) : Horizontal(0.3, 0.3);
+  };
+  const auto file = slackwater::tests::write_point_series(folder_ / "current.nc", point);
+  const auto to_at = [&](double depth_m) {
+    options_.depth_m = depth_m;
+    const auto found =
+        read_history(file, {"sea_water_velocity_to_direction"}, options_, words()).series.at(0);
+    EXPECT_EQ(found->unit, "degree");
+    EXPECT_EQ(found->standard_name, "sea_water_velocity_to_direction");
+    return found->value.at(7);
+  };
+  EXPECT_NEAR(to_at(5), 315, 1e-4);
+  EXPECT_NEAR(to_at(10), 0, 1e-4);
+  EXPECT_NEAR(to_at(15), 45, 1e-4);
+}
+
 TEST_F(CfHistory, AGridIsNoSeries) {
   const UtcDay day = parse_day("2025-03-06");
   const auto file = slackwater::tests::write_product(folder_ / "grid.nc",

@@ -312,6 +312,18 @@ TEST_F(UsualTables, TheToolboxsDepthsAreChosenAndSpeedsMade) {
   EXPECT_TRUE(contains(refusal(text, {"sea_water_speed"}), "expected 3 to 11 m"));
 }
 
+TEST_F(UsualTables, ADirectionBetweenDepthsIsThatOfTheNearer) {
+  std::string text = toolbox;
+  for (const char* hour : {"00", "01"})
+    text += observation("HCDT", hour, 3, 350, 1) + observation("HCDT", hour, 11, 10, 1);
+  const auto to_at = [&](double depth_m) {
+    options_.depth_m = depth_m;
+    return read(text, {"sea_water_velocity_to_direction"}).series[0]->value[1];
+  };
+  EXPECT_EQ(to_at(6), 350);
+  EXPECT_EQ(to_at(8), 10);
+}
+
 TEST_F(UsualTables, SeveralPlatformsAreNoOnePlace) {
   std::string other = observation("VHM0", "00", 0, 1.5, 1);
   other.replace(other.find(",B,"), 3, ",C,");

@@ -1,0 +1,336 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "api/show/history/climate_answer.h"
+#include "api/show/history/workability_answer.h"
+#include "fields/base/text.h"
+
+namespace slackwater::api {
+namespace {
+
+/// "<4", "4-8", ">=24".
+std::string class_text(const std::vector<double>& edges, std::size_t index) {
+  if (edges.empty()) return "all";
+  if (index == 0) return formatted("<{:g}", edges.front());
+  if (index == edges.size()) return formatted(">={:g}", edges.back());
+  return formatted("{:g}-{:g}", edges[index - 1], edges[index]);
+}
+
+/// A share in the parts of a table; a point where nothing is.
+std::string part_text(std::size_t steps, std::size_t of, double whole) {
+  return steps == 0 ? "." : formatted("{:.1f}", whole * share_of(steps, of));
+}
+
+std::string head_text(const History& history) {
+  const StepClock& clock = history.regular.clock;
+  return formatted("{}: {} steps of {:g} h from {} to {}.\n", history.source, clock.steps,
+                   clock.step_h(), format_utc(clock.first), format_utc(clock.end()));
+}
+
+/// How much of each month is known.
+std::string coverage_text(const ClimateAnswer& answer) {
+  std::string text = formatted("\n{:<9}", "known, %");
+  for (const char* month :
+       {"Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec", "all"})
+    text += formatted("{:>6}", month);
+  text += "\n";
+  const auto cell = [](const twin::KnownSteps& one) {
+    return formatted(
+        "{:>6}", one.steps == 0 ? "-" : formatted("{:.1f}", 100 * share_of(one.known, one.steps)));
+  };
+  for (const ClimatePart& part : answer.parts) {
+    text += formatted("{:<9}", kind_of(part.of).word);
+    for (const twin::KnownSteps& month : part.known.by_month) text += cell(month);
+    text += cell(part.known.all) + "\n";
+  }
+  return text;
+}
+
+std::string spread_text(const ClimatePart& part, const History& history) {
+  const ClimateKind& kind = kind_of(part.of);
+  const ClimateSpread& spread = part.spread;
+  const std::string& series = history.series[part.series].name;
+  return formatted(
+      "\n{}: {}, {}{}\n  mean {:.2f}; half of the time at most {:.2f}, 9 in 10 at most {:.2f}, 99 "
+      "in "
+      "100 at most {:.2f}; greatest {:.2f}, {}\n",
+      sentence(kind.word).substr(0, kind.word.size()), kind.size_name, kind.unit,
+      series == kind.size_name ? "" : " (" + series + ")", spread.mean, spread.p50, spread.p90,
+      spread.p99, spread.greatest, format_utc(history.regular.clock.time_of(spread.greatest_step)));
+}
+
+std::string rose_text(const ClimateKind& kind, const ClimateRose& rose) {
+  const twin::Rose& counts = rose.counts;
+  const std::size_t known = counts.known();
+  const std::size_t classes = rose.edges.values.size() + 1;
+  std::string text = formatted(
+      "\n  rose of {}, % of the time, by the direction that it {} and by {}, {}\n  {:<8}",
+      kind.word, kind.way == "to" ? "goes to" : "comes from",
+      kind.of == ClimateOf::waves ? "height" : "speed", rose.edges.unit, kind.way + ", deg");
+  for (std::size_t c = 0; c < classes; ++c)
+    text += formatted("{:>10}", class_text(rose.edges.values, c));
+  text += formatted("{:>10}\n", "all");
+  for (std::size_t s = 0; s < counts.sectors.size(); ++s) {
+    text += formatted("  {:<8}", formatted("{:g}", middle_deg(s, counts.sectors.size())));
+    for (const std::size_t steps : counts.sectors[s])
+      text += formatted("{:>10}", part_text(steps, known, 100));
+    text += formatted("{:>10}\n", part_text(counts.in_sector(s), known, 100));
+  }
+  text += formatted("  {:<8}", "all");
+  for (std::size_t c = 0; c < classes; ++c)
+    text += formatted("{:>10}", part_text(counts.in_class(c), known, 100));
+  text += formatted("{:>10}\n", part_text(known - counts.calm - counts.no_direction, known, 100));
+  text += formatted("  calm (below {:g} {}): {:.1f} %; without a direction: {:.1f} %; of {} steps",
+                    rose.calm.values.front(), rose.calm.unit, 100 * share_of(counts.calm, known),
+                    100 * share_of(counts.no_direction, known), known);
+  return text + (counts.missing == 0
+                     ? ".\n"
+                     : formatted("; {} more are missing and in no share.\n", counts.missing));
+}
+
+std::string return_text(const twin::ReturnValue& one) {
+  switch (one.support) {
+    case twin::ReturnSupport::supported:
+      return formatted("{:.2f} ({:.2f}-{:.2f})", one.value, one.interval.low, one.interval.high);
+    case twin::ReturnSupport::beyond_history:
+      return "not supported";
+    case twin::ReturnSupport::below_threshold:
+      break;
+  }
+  return "below threshold";
+}
+
+/// A line of return values, each below its years.
+std::string returns_row(const std::string& name, const std::vector<twin::ReturnValue>& returns) {
+  std::string text = formatted("  {:<28}", name);
+  for (const twin::ReturnValue& one : returns) text += formatted("{:>22}", return_text(one));
+  return text + "\n";
+}
+
+std::string thresholds_text(const twin::Extremes& extremes, const std::string& unit) {
+  std::string text = formatted("  other thresholds\n  {:>9} {:>7} {:>7}  {:<22}", unit, "storms",
+                               "a year", "shape");
+  std::vector<std::size_t> told;
+  const std::vector<twin::ReturnValue>& returns = extremes.peaks->returns;
+  for (std::size_t r = 0; r < returns.size(); ++r) {
+    if (returns[r].support == twin::ReturnSupport::beyond_history) continue;
+    told.push_back(r);
+    text += formatted("{:>22}", formatted("{:g} y", returns[r].years));
+  }
+  text += "\n";
+  for (const twin::PeaksFit& one : extremes.other_thresholds) {
+    text += formatted(
+        "  {:>9} {:>7} {:>7}  {:<22}", formatted("{:.3f}", one.threshold), one.storms,
+        formatted("{:.1f}", one.storms_per_year),
+        formatted("{:.2f} ({:.2f} to {:.2f})", one.fit.shape, one.shape.low, one.shape.high));
+    for (const std::size_t r : told) text += formatted("{:>22}", return_text(one.returns[r]));
+    text += one.threshold == extremes.peaks->threshold ? " *\n" : "\n";
+  }
+  return text;
+}
+
+/// Where the fit ends, and whether it ends too soon.
+std::string end_text(const twin::PeaksFit& peaks) {
+  if (!(peaks.fit.shape < 0)) return "";
+  return formatted(", so nothing above {:.2f}", peaks.upper_end()) +
+         (peaks.upper_end() < peaks.greatest_seen
+              ? formatted(", though {:.2f} was seen: do not use it", peaks.greatest_seen)
+              : "");
+}
+
+/// What standards mean by their values of fifty years.
+std::string average_text(ClimateOf of, double step_h) {
+  const std::string own =
+      formatted("  values are as the series averages them, at steps of {:g} h", step_h);
+  if (of == ClimateOf::wind)
+    return own + "; V50 of IEC 61400-1 is a 10-minute mean at hub height\n";
+  if (of == ClimateOf::waves) return own + "; Hs50 of IEC 61400-3-1 is of 3-hour seas\n";
+  return own + "; tide and storm together\n";
+}
+
+std::string extremes_text(const ClimateKind& kind, const twin::Extremes& extremes,
+                          const ClimateQuestion& question, double step_h) {
+  std::string text = formatted(
+      "\n  extremes of {}, {}: what is exceeded once in so many years on average, with 90 % "
+      "intervals\n",
+      kind.word, kind.unit);
+  if (extremes.peaks || extremes.gumbel) {
+    text += formatted("  {:<28}", "years");
+    for (const double years : question.storms.return_years)
+      text += formatted("{:>22}", formatted("{:g}", years));
+    text += "\n";
+  }
+  if (extremes.peaks) text += returns_row("storms over a threshold", extremes.peaks->returns);
+  if (extremes.gumbel) text += returns_row("maxima of years, Gumbel", extremes.gumbel->returns);
+  if (extremes.extreme_value)
+    text += returns_row("maxima of years, GEV", extremes.extreme_value->returns);
+  text += formatted("  {:.2f} years known", extremes.years_known);
+  if (extremes.peaks || extremes.gumbel)
+    text += formatted(
+        "; not supported: periods beyond {:g} times the history, for which no sample of this "
+        "length speaks",
+        twin::most_histories);
+  text += ".\n";
+  if (const std::string why = no_peaks_text(extremes); !why.empty()) text += "  " + why + "\n";
+  if (extremes.peaks) {
+    const twin::PeaksFit& peaks = *extremes.peaks;
+    text += formatted(
+        "  threshold {:.3f} {}{}: {} storms at least {:g} h apart, {:.1f} a year; scale {:.3f}, "
+        "shape {:.2f} ({:.2f} to {:.2f}){}\n",
+        peaks.threshold, kind.unit,
+        question.thresholds.end() !=
+                std::find_if(question.thresholds.begin(), question.thresholds.end(),
+                             [&](const ClimateNumbers& one) { return one.of == kind.of; })
+            ? ", as asked"
+            : formatted(", the greatest with {:g} storms a year",
+                        std::max(question.storms.storms_per_year,
+                                 static_cast<double>(twin::least_storms) / extremes.years_known)),
+        peaks.storms, extremes.separation_h, peaks.storms_per_year, peaks.fit.scale,
+        peaks.fit.shape, peaks.shape.low, peaks.shape.high, end_text(peaks));
+    text += "  method: " + peaks_method() + "\n" + thresholds_text(extremes, kind.unit);
+  }
+  for (const std::string& why : {no_gumbel_text(extremes), no_shape_text(extremes)})
+    if (!why.empty()) text += "  " + why + "\n";
+  if (extremes.gumbel) {
+    std::vector<std::string> years;
+    for (const twin::YearMaximum& one : extremes.maxima)
+      years.push_back(formatted("{} {:.2f}", one.year, one.value));
+    text += "  maxima of years: " + joined(years, ", ") + "\n  method: " + gumbel_method() + "\n";
+  }
+  if (extremes.extreme_value) text += "  method: " + extreme_value_method() + "\n";
+  if (extremes.peaks || extremes.gumbel)
+    text += "  intervals: " + interval_method(question) + "\n" + average_text(kind.of, step_h);
+  return text;
+}
+
+std::string scatter_text(const ClimateScatter& scatter) {
+  const twin::Scatter& counts = scatter.counts;
+  const std::size_t columns = counts.counts.front().size();
+  const auto column_has = [&](std::size_t c) {
+    return std::any_of(counts.counts.begin(), counts.counts.end(),
+                       [&](const std::vector<std::size_t>& row) { return row[c] > 0; });
+  };
+  std::size_t first = 0;
+  std::size_t last = columns;
+  if (scatter.sectors == 0) {
+    while (first < columns && !column_has(first)) ++first;
+    while (last > first && !column_has(last - 1)) --last;
+  }
+  std::size_t rows = counts.counts.size();
+  const auto row_steps = [&](std::size_t r) {
+    std::size_t sum = 0;
+    for (const std::size_t steps : counts.counts[r]) sum += steps;
+    return sum;
+  };
+  while (rows > 0 && row_steps(rows - 1) == 0) --rows;
+  std::string text =
+      scatter.sectors == 0
+          ? formatted(
+                "\nwaves, per mille of the time: significant height, {}, by peak period, {}\n",
+                scatter.heights.unit, scatter.periods.unit)
+          : formatted(
+                "\nwaves, per mille of the time: significant height, {}, by the direction that "
+                "they "
+                "come from, degrees\n",
+                scatter.heights.unit);
+  text += formatted("{:<10}", "");
+  for (std::size_t c = first; c < last; ++c)
+    text += formatted("{:>7}", scatter.sectors == 0
+                                   ? class_text(scatter.periods.values, c)
+                                   : formatted("{:g}", middle_deg(c, scatter.sectors)));
+  text += formatted("{:>8}\n", "all");
+  std::vector<std::size_t> sums(columns, 0);
+  for (std::size_t r = 0; r < rows; ++r) {
+    text += formatted("{:<10}", class_text(scatter.heights.values, r));
+    for (std::size_t c = 0; c < columns; ++c) sums[c] += counts.counts[r][c];
+    for (std::size_t c = first; c < last; ++c)
+      text += formatted("{:>7}", part_text(counts.counts[r][c], counts.known, 1000));
+    text += formatted("{:>8}\n", part_text(row_steps(r), counts.known, 1000));
+  }
+  text += formatted("{:<10}", "all");
+  for (std::size_t c = first; c < last; ++c)
+    text += formatted("{:>7}", part_text(sums[c], counts.known, 1000));
+  text += formatted("{:>8}\n", part_text(counts.known, counts.known, 1000));
+  return text +
+         formatted("of {} steps that know both; each class holds its lower edge\n", counts.known);
+}
+
+}  // namespace
+
+double middle_deg(std::size_t sector, std::size_t sectors) noexcept {
+  return 360.0 * static_cast<double>(sector) / static_cast<double>(sectors);
+}
+
+std::string peaks_method() {
+  return "generalised Pareto of the storms' peaks by probability-weighted moments (Hosking and "
+         "Wallis 1987); runs declustering and Poisson storms (Coles 2001, 5.3.2 and 4.3.3)";
+}
+
+std::string gumbel_method() {
+  return "Gumbel of the greatest value of each calendar year by probability-weighted moments; the "
+         "T-year value is not exceeded in a year with exp(-1/T) (Coles 2001, ch. 3)";
+}
+
+std::string extreme_value_method() {
+  return "generalised extreme value of the same by probability-weighted moments (Hosking, Wallis "
+         "and Wood 1985)";
+}
+
+std::string interval_method(const ClimateQuestion& question) {
+  return formatted(
+      "5th to 95th percentile of {} samples drawn from the fit and fitted again (parametric "
+      "bootstrap, seed {}); they know no error of the series, and no change of climate",
+      question.storms.resamples, question.storms.seed);
+}
+
+std::string no_peaks_text(const twin::Extremes& extremes) {
+  switch (extremes.no_peaks) {
+    case twin::NoPeaks::short_history:
+      return formatted(
+          "no extremes from storms: {:.2f} years are known, and fewer than {:g} say nothing of "
+          "them.",
+          extremes.years_known, twin::least_years);
+    case twin::NoPeaks::few_storms:
+      return formatted(
+          "no extremes from storms: {} over the threshold, {:g} h apart, expected {} at least; say "
+          "a lower --threshold, more --storms-per-year or a shorter --separation.",
+          counted(extremes.storms_found, "storm"), extremes.separation_h, twin::least_storms);
+    case twin::NoPeaks::all_alike:
+      return "no extremes from storms: all values are alike.";
+    case twin::NoPeaks::none:
+      break;
+  }
+  return "";
+}
+
+std::string no_gumbel_text(const twin::Extremes& extremes) {
+  if (extremes.gumbel) return "";
+  if (extremes.maxima.size() >= twin::least_gumbel_years)
+    return "no extremes from maxima of years: all are alike.";
+  return formatted("no extremes from maxima of years: {} complete, expected {} at least.",
+                   counted(extremes.maxima.size(), "year"), twin::least_gumbel_years);
+}
+
+std::string no_shape_text(const twin::Extremes& extremes) {
+  if (extremes.extreme_value || !extremes.gumbel) return "";
+  return formatted("no generalised extreme value: {} complete, expected {} at least for a shape.",
+                   counted(extremes.maxima.size(), "year"), twin::least_shape_years);
+}
+
+std::string climate_text(const History& history, const ClimateQuestion& question,
+                         const ClimateAnswer& answer) {
+  std::string text = head_text(history) + coverage_text(answer);
+  for (const ClimatePart& part : answer.parts) {
+    const ClimateKind& kind = kind_of(part.of);
+    text += spread_text(part, history);
+    if (part.rose) text += rose_text(kind, *part.rose);
+    if (part.extremes)
+      text += extremes_text(kind, *part.extremes, question, history.regular.clock.step_h());
+  }
+  for (const auto* scatter : {&answer.by_period, &answer.by_sector})
+    if (*scatter) text += scatter_text(**scatter);
+  return text;
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,326 @@
+// `slackwater climate`: roses, scatter tables and extremes of a place's past, for people and for
+// programs, and all that can be wrong with it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "fields/base/text.h"
+#include "tests/support/contains.h"
+#include "tests/support/refusal.h"
+#include "tests/support/shared_data.h"
+#include "tests/support/store_for_tests.h"
+
+namespace slackwater::tests::cli_climate_test {
+namespace {
+
+using nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+const std::string height = "sea_surface_wave_significant_height";
+const std::string waves_from = "sea_surface_wave_from_direction";
+const std::string peak = "sea_surface_wave_period_at_variance_spectral_density_maximum";
+
+/// Hourly rows from a time on.
+std::string table(const std::string& head, const std::vector<std::string>& rows,
+                  const std::string& from = "2002-01-01T00:00:00Z") {
+  std::string text = "time," + head + "\n";
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    text += format_utc(parse_utc(from) + std::chrono::hours(i)) + "," + rows[i] + "\n";
+  return text;
+}
+
+double sum_of(const json& rose) {
+  double sum =
+      rose.at("calm").at("share").get<double>() + rose.at("no_direction_share").get<double>();
+  for (const json& sector : rose.at("sectors"))
+    for (const json& share : sector.at("by_class")) sum += share.get<double>();
+  return sum;
+}
+
+double sum_of_table(const json& scatter) {
+  double sum = 0;
+  for (const json& row : scatter.at("per_mille"))
+    for (const json& cell : row) sum += cell.get<double>();
+  return sum;
+}
+
+class ClimateCommand : public testing::Test {
+ protected:
+  ProgramResult run(Arguments arguments) const {
+    arguments.insert(arguments.begin(), "climate");
+    return store_.run(arguments);
+  }
+  json answer(Arguments arguments) const {
+    arguments.emplace_back("--json");
+    const ProgramResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return json::accept(result.out) ? json::parse(result.out) : json();
+  }
+  void expect_refused(const Arguments& arguments, int exit_code,
+                      const std::vector<std::string>& words) const {
+    expect_refusal(run(arguments), exit_code, words);
+  }
+
+  StoreForTests store_;
+};
+
+TEST_F(ClimateCommand, CountsASmallRoseAsByHand) {
+  const std::string file = store_.write(
+      "wind.csv",
+      table("wind_speed,wind_from_direction",
+            {"0.2,90", "5,350", "5,10", "9,100", ",100", "9,", "5,271", "0,", "4,359.5", "12,80"}));
+  const json found = answer({file, "--roses", "--sectors", "4", "--classes", "wind=5,10"});
+  ASSERT_EQ(found.at("parts").size(), 1U);
+  const json& wind = found.at("parts").at(0);
+  EXPECT_EQ(wind.at("of"), "wind");
+  EXPECT_EQ(wind.at("known_steps"), 9);
+  EXPECT_EQ(wind.at("missing_steps"), 1);
+  EXPECT_EQ(wind.at("extremes"), nullptr);
+  EXPECT_EQ(wind.at("greatest").at("value"), 12);
+  EXPECT_EQ(wind.at("greatest").at("time"), "2002-01-01T09:00:00Z");
+  const json& rose = wind.at("rose");
+  EXPECT_EQ(rose.at("way"), "from");
+  EXPECT_EQ(rose.at("known_steps"), 9);
+  EXPECT_EQ(rose.at("missing_steps"), 1);
+  EXPECT_DOUBLE_EQ(rose.at("calm").at("share").get<double>(), 2.0 / 9);
+  EXPECT_DOUBLE_EQ(rose.at("no_direction_share").get<double>(), 1.0 / 9);
+  EXPECT_EQ(rose.at("classes").at(1), (json{{"from", 5.0}, {"below", 10.0}}));
+  const auto shares = [&](std::size_t sector) {
+    return rose.at("sectors").at(sector).at("by_class").get<std::vector<double>>();
+  };
+  EXPECT_EQ(shares(0), (std::vector{1.0 / 9, 2.0 / 9, 0.0}));
+  EXPECT_EQ(shares(1), (std::vector{0.0, 1.0 / 9, 1.0 / 9}));
+  EXPECT_EQ(shares(2), (std::vector{0.0, 0.0, 0.0}));
+  EXPECT_EQ(shares(3), (std::vector{0.0, 1.0 / 9, 0.0}));
+  EXPECT_DOUBLE_EQ(sum_of(rose), 1);
+  EXPECT_EQ(found.at("height_by_period"), nullptr);
+  const ProgramResult told = run({file, "--roses"});
+  EXPECT_TRUE(contains(told.out, "by the direction that it comes from")) << told.out;
+  EXPECT_TRUE(contains(told.out, "calm (below 0.5 m s-1): 22.2 %")) << told.out;
+  EXPECT_TRUE(contains(told.out, "1 more are missing and in no share")) << told.out;
+}
+
+/// North wind blows to the south, and a current is told by where it goes.
+TEST_F(ClimateCommand, ComponentsAreTheSameRoseAsSpeedAndDirection) {
+  std::vector<std::string> components;
+  std::vector<std::string> polar;
+  for (int i = 0; i < 48; ++i) {
+    const double to = (7.5 + 30 * i) * std::acos(-1.0) / 180;
+    const double speed = 2 + i % 3;
+    components.push_back(formatted("{},{},{},{}", speed * std::sin(to), speed * std::cos(to),
+                                   0.1 * speed * std::sin(to), 0.1 * speed * std::cos(to)));
+    polar.push_back(formatted("{},{},{},{}", speed, std::fmod(187.5 + 30 * i, 360.0), 0.1 * speed,
+                              std::fmod(7.5 + 30 * i, 360.0)));
+  }
+  const std::string one = store_.write(
+      "components.csv", table("eastward_wind,northward_wind,eastward_sea_water_velocity,"
+                              "northward_sea_water_velocity",
+                              components));
+  const std::string other =
+      store_.write("polar.csv", table("wind_speed,wind_from_direction,sea_water_speed,"
+                                      "sea_water_velocity_to_direction",
+                                      polar));
+  const Arguments options{"--roses", "--classes", "wind=2.5,3.5", "--classes", "current=0.25,0.35"};
+  const auto roses = [&](const std::string& file) {
+    Arguments asked{file};
+    asked.insert(asked.end(), options.begin(), options.end());
+    return answer(asked).at("parts");
+  };
+  const json by_components = roses(one);
+  const json by_direction = roses(other);
+  ASSERT_EQ(by_components.size(), 2U);
+  for (std::size_t p = 0; p < 2; ++p) {
+    EXPECT_EQ(by_components.at(p).at("rose").at("sectors"),
+              by_direction.at(p).at("rose").at("sectors"));
+    // Each of twelve sectors had four of 48 hours.
+    for (const json& sector : by_components.at(p).at("rose").at("sectors"))
+      EXPECT_NEAR(sector.at("share").get<double>(), 4.0 / 48, 1e-15);
+  }
+  EXPECT_EQ(by_components.at(1).at("rose").at("way"), "to");
+}
+
+TEST_F(ClimateCommand, CountsASmallScatterTableAsByHand) {
+  const std::string file = store_.write(
+      "waves.csv", table(height + "," + peak + "," + waves_from,
+                         {"0.4,4,10", "0.5,5,10", "1.2,9,200", "1.2,9.5,200", ",7,10", "2,,10"}));
+  const json found = answer(
+      {file, "--scatter", "--classes", "waves=0.5,1", "--classes", "period=5,8", "--sectors", "4"});
+  const json& table_found = found.at("height_by_period");
+  EXPECT_EQ(table_found.at("per_mille"),
+            (json{{250.0, 0.0, 0.0}, {0.0, 250.0, 0.0}, {0.0, 0.0, 500.0}}));
+  EXPECT_EQ(table_found.at("known_steps"), 4);
+  EXPECT_EQ(table_found.at("missing_steps"), 2);
+  const json& by_direction = found.at("height_by_direction");
+  EXPECT_EQ(by_direction.at("per_mille"),
+            (json{{200.0, 0.0, 0.0, 0.0}, {200.0, 0.0, 0.0, 0.0}, {200.0, 0.0, 400.0, 0.0}}));
+  EXPECT_EQ(found.at("parts").at(0).at("rose"), nullptr);
+}
+
+TEST_F(ClimateCommand, ClassesInAnotherUnitAreNotMovedByRounding) {
+  const std::string file =
+      store_.write("cm.csv", table("Hs," + waves_from, {"57,10", "56,10", "58,10", "57,10"}));
+  const json found =
+      answer({file, "--column", "Hs=" + height + ":cm", "--roses", "--classes", "waves=0.57 m"});
+  const json& sector = found.at("parts").at(0).at("rose").at("sectors").at(0);
+  EXPECT_EQ(sector.at("by_class"), (json{0.25, 0.75}));
+  const ProgramResult told = run({file, "--column", "Hs=" + height + ":cm", "--roses"});
+  EXPECT_TRUE(contains(told.out, "Waves: " + height + ", m (Hs)")) << told.out;
+}
+
+TEST_F(ClimateCommand, GapsAreToldByMonthAndAreNoCalms) {
+  std::vector<std::string> rows(31 * 24, "3,20");
+  std::fill_n(rows.begin(), 15 * 24, ",");
+  const std::string file = store_.write("gaps.csv", table("wind_speed,wind_from_direction", rows));
+  const json wind = answer({file, "--roses"}).at("parts").at(0);
+  EXPECT_EQ(wind.at("rose").at("calm").at("share"), 0);
+  EXPECT_EQ(wind.at("coverage_by_month").at(0),
+            (json{{"month", 1}, {"steps", 31 * 24}, {"known_steps", 16 * 24}}));
+  EXPECT_EQ(wind.at("coverage_by_month").at(1).at("steps"), 0);
+  const ProgramResult told = run({file});
+  EXPECT_TRUE(contains(told.out, "known, %")) << told.out;
+  EXPECT_TRUE(contains(told.out, "51.6")) << told.out;
+  EXPECT_TRUE(contains(told.err, "nothing is known of Feb, Mar")) << told.err;
+  EXPECT_TRUE(contains(told.out, "no extremes from storms: 0.04 years are known")) << told.out;
+  EXPECT_FALSE(contains(told.out, "once in 50")) << told.out;
+}
+
+/// Twelve years of made-up storms: what is supported is told with an interval, the rest is not.
+TEST_F(ClimateCommand, ExtremesSayMethodThresholdAndWhatIsNotSupported) {
+  std::string text = "time," + height + "\n";
+  unsigned random = 1;
+  const auto uniform = [&] {
+    random = random * 1664525U + 1013904223U;
+    return static_cast<double>(random >> 8U) / 16777216.0;
+  };
+  UtcTime time = parse_utc("2000-01-01T00:00:00Z");
+  for (int storm = 0; storm < 12 * 30; ++storm) {
+    const double top = 3 - 0.8 * std::log(1 - uniform());
+    for (int step = 0; step < 49; ++step) {  // six-hourly, 12.2 days
+      const double now = std::abs(step - 20) < 4 ? top - 0.3 * std::abs(step - 20) : 1;
+      text += format_utc(time) + "," + formatted("{:.2f}", now) + "\n";
+      time += std::chrono::hours(6);
+    }
+  }
+  const std::string file = store_.write("storms.csv", text);
+  const json found = answer({file, "--extremes", "--return-period", "1,10,100"});
+  const json& extremes = found.at("parts").at(0).at("extremes");
+  const json& peaks = extremes.at("peaks");
+  EXPECT_EQ(peaks.at("why_not"), nullptr);
+  EXPECT_NEAR(peaks.at("storms_per_year").get<double>(), 5, 0.8);
+  ASSERT_EQ(peaks.at("returns").size(), 3U);
+  const json& ten = peaks.at("returns").at(1);
+  EXPECT_EQ(ten.at("support"), "supported");
+  EXPECT_LT(ten.at("interval_90").at(0), ten.at("value"));
+  EXPECT_LT(ten.at("value"), ten.at("interval_90").at(1));
+  // 3 - 0.8 ln(1 / (30 x 10)) = 7.56 is what the storms were drawn from.
+  EXPECT_LT(ten.at("interval_90").at(0).get<double>(), 7.56);
+  EXPECT_GT(ten.at("interval_90").at(1).get<double>(), 7.56);
+  EXPECT_EQ(peaks.at("returns").at(2), (json{{"years", 100.0},
+                                             {"support", "beyond_history"},
+                                             {"value", nullptr},
+                                             {"interval_90", nullptr}}));
+  EXPECT_GE(extremes.at("thresholds").size(), 4U);
+  EXPECT_EQ(extremes.at("annual_maxima").size(), 12U);
+  EXPECT_EQ(extremes.at("gumbel").at("why_not"), nullptr);
+  EXPECT_TRUE(contains(extremes.at("gev").at("why_not").get<std::string>(), "expected 20"));
+  EXPECT_EQ(answer({file, "--extremes", "--return-period", "1,10,100"}), found);
+  const ProgramResult told = run({file, "--extremes"});
+  for (const char* words :
+       {"Hosking and Wallis 1987", "Coles 2001", "not supported", "storms at least 48 h apart",
+        "other thresholds", "parametric bootstrap, seed 1", "maxima of years: 2000 "})
+    EXPECT_TRUE(contains(told.out, words)) << words << "\n" << told.out;
+  const json asked =
+      answer({file, "--extremes", "--threshold", "waves=350 cm", "--separation", "3d"});
+  EXPECT_EQ(asked.at("parts").at(0).at("extremes").at("peaks").at("threshold"), 3.5);
+  EXPECT_EQ(asked.at("parts").at(0).at("extremes").at("separation_h"), 72);
+}
+
+TEST_F(ClimateCommand, WhatMakesNoSenseIsRefusedInOneLine) {
+  const std::string file =
+      store_.write("wind.csv", table("wind_speed,wind_from_direction", {"5,10", "6,20", "7,30"}));
+  expect_refused({}, 2, {"found no series"});
+  expect_refused({file, "--site", "a"}, 2, {"found files and --site"});
+  expect_refused({file, "--of", "tide"}, 2, {"--of", "'tide'", "wind, waves, current"});
+  expect_refused({file, "--of", "waves"}, 4, {"found no " + height, "--column"});
+  expect_refused({file, "--sectors", "0"}, 2, {"--sectors"});
+  expect_refused({file, "--classes", "wind"}, 2, {"--classes", "without ="});
+  expect_refused({file, "--classes", "gust=4"}, 2, {"'gust' is not known"});
+  expect_refused({file, "--classes", "wind=8,4"}, 2, {"have to ascend"});
+  expect_refused({file, "--classes", "wind=0,4"}, 2, {"leave the 0 away"});
+  expect_refused({file, "--classes", "wind=-4"}, 2, {"less than 0"});
+  expect_refused({file, "--classes", "wind=4,x"}, 2, {"without a finite number"});
+  expect_refused({file, "--classes", "wind=4 m"}, 2, {"--classes", "'m'", "m s-1"});
+  expect_refused({file, "--classes", "wind=4", "--classes", "wind=5"}, 2, {"twice"});
+  expect_refused({file, "--calm", "wind=1,2"}, 2, {"2 numbers", "expected one"});
+  expect_refused({file, "--calm", "period=1"}, 2, {"--calm of period"});
+  expect_refused({file, "--calm", "wind=5"}, 3, {"above 5", "--calm"});
+  expect_refused({file, "--return-period", "0"}, 2, {"--return-period 0"});
+  expect_refused({file, "--separation", "0h"}, 2, {"--separation 0h"});
+  expect_refused({file, "--from", "2003-01-01"}, 4, {"--from"});
+}
+
+TEST_F(ClimateCommand, ASeriesWithoutItsDirectionSaysSoAndIsNoRose) {
+  const std::string file = store_.write("wind.csv", table("wind_speed", {"5", "6", "7"}));
+  const json found = answer({file});
+  EXPECT_EQ(found.at("parts").at(0).at("rose"), nullptr);
+  EXPECT_TRUE(contains(found.at("notes").dump(), "found no wind_from_direction: no rose of wind"));
+}
+
+TEST_F(ClimateCommand, AsksTheStoreAtASite) {
+  store_.ingest_days(parse_day("2025-03-06"), 3);
+  const json found = answer({"--site", store_.site(), "--depth", "10", "--roses", "--scatter"});
+  for (const json& part : found.at("parts")) {
+    EXPECT_GT(part.at("known_steps").get<int>(), 48) << part.at("of");
+    EXPECT_NEAR(sum_of(part.at("rose")), 1, 1e-12) << part.at("of");
+  }
+  EXPECT_EQ(found.at("parts").back().at("of"), "current");
+  EXPECT_EQ(found.at("parts").back().at("rose").at("direction_series"),
+            "sea_water_velocity_to_direction");
+  expect_refused({"--site", store_.site()}, 3, {"--depth"});
+}
+
+TEST_F(ClimateCommand, RealWavesAndWindOfNora3SumToTheWhole) {
+  SLACKWATER_NEEDS_SHARED(shared);
+  const auto file = shared / "data/nora3/NORA3_wind_wave_lon1.32_lat53.324_20221001_20221231.csv";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+  const json found = answer(
+      {file.string(), "--assume-utc", "--column", "wind_speed_10m=wind_speed:m s-1", "--column",
+       "wind_direction_10m=wind_from_direction:degree", "--column", "hs=" + height + ":m",
+       "--column", "tp=" + peak + ":s", "--column", "thq=" + waves_from + ":degree"});
+  ASSERT_EQ(found.at("parts").size(), 2U);
+  for (const json& part : found.at("parts")) {
+    EXPECT_NEAR(sum_of(part.at("rose")), 1, 1e-12);
+    EXPECT_EQ(part.at("known_steps"), 92 * 24);
+    EXPECT_TRUE(
+        contains(part.at("extremes").at("peaks").at("why_not").get<std::string>(), "0.25 years"));
+  }
+  for (const char* name : {"height_by_period", "height_by_direction"})
+    EXPECT_NEAR(sum_of_table(found.at(name)), 1000, 1e-9);
+  EXPECT_TRUE(contains(found.at("notes").dump(), "nothing is known of Jan, Feb"));
+}
+
+TEST_F(ClimateCommand, RealWavesOfAlphaVentusHaveAFiftyYearHeight) {
+  SLACKWATER_NEEDS_SHARED(shared);
+  const auto file = shared / "data/weather_windows/alpha_ventus_weather_2002_2014.csv";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+  const json found = answer({file.string(), "--assume-utc", "--time-column", "datetime", "--column",
+                             "waveheight=" + height + ":m", "--column",
+                             "windspeed=wind_speed:m s-1", "--extremes"});
+  const json& waves = found.at("parts").at(1);
+  const json& returns = waves.at("extremes").at("peaks").at("returns");
+  // One year's wave is seen in about two of three years of 13; fifty years' is above all but few.
+  std::vector<double> maxima;
+  for (const json& year : waves.at("extremes").at("annual_maxima"))
+    maxima.push_back(year.at("value").get<double>());
+  ASSERT_EQ(maxima.size(), 13U);
+  std::sort(maxima.begin(), maxima.end());
+  EXPECT_GT(returns.at(0).at("value").get<double>(), maxima.front() - 0.5);
+  EXPECT_LT(returns.at(0).at("value").get<double>(), maxima[8]);
+  EXPECT_GT(returns.at(2).at("interval_90").at(1).get<double>(), maxima.back());
+  EXPECT_EQ(returns.at(3).at("support"), "beyond_history");
+}
+
+}  // namespace
+}  // namespace slackwater::tests::cli_climate_test

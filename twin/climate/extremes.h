@@ -1,0 +1,130 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fields/base/step_clock.h"
+#include "twin/climate/extreme_value.h"
+#include "twin/climate/storm_peaks.h"
+
+namespace slackwater::twin {
+
+/// What is asked of the extremes of a series.
+struct ExtremesQuestion {
+  std::vector<double> return_years{1, 10, 50, 100};
+  std::optional<double> threshold;  ///< absent: the greatest with so many storms a year
+  double storms_per_year = 5;
+  std::size_t separation_steps = 48;
+  std::size_t resamples = 1000;  ///< of the bootstrap
+  std::uint64_t seed = 1;
+};
+
+// What a history has to have, by our own choice: what is less is not answered.
+inline constexpr double least_years = 3;               ///< known, for peaks over a threshold
+inline constexpr std::size_t least_storms = 20;        ///< over it
+inline constexpr std::size_t least_gumbel_years = 10;  ///< complete, for maxima of years
+inline constexpr std::size_t least_shape_years = 20;   ///< for a shape of their own
+inline constexpr double complete_share = 0.9;          ///< known of a year that is complete
+/// A return value is answered up to so many times the history: the old rule of metocean practice is
+/// three to four.
+inline constexpr double most_histories = 4;
+
+/// From the 5th to the 95th percentile of the resamples.
+struct Interval90 {
+  double low = 0;
+  double high = 0;
+};
+
+enum class ReturnSupport {
+  supported,
+  beyond_history,  ///< more than `most_histories` times the history
+  below_threshold  ///< so common that storms above the threshold do not tell it
+};
+
+/// What is exceeded once in so many years on average.
+struct ReturnValue {
+  double years = 0;
+  ReturnSupport support = ReturnSupport::supported;
+  double value = 0;  ///< this and the interval where it is supported alone
+  Interval90 interval{};
+};
+
+/// Peaks over one threshold, generalised Pareto.
+struct PeaksFit {
+  /// Above it the fit has nothing; infinite for a shape of 0 and above.
+  [[nodiscard]] double upper_end() const noexcept { return threshold + fit.greatest(); }
+
+  double threshold = 0;
+  std::size_t storms = 0;
+  double storms_per_year = 0;  ///< of what is known
+  Pareto fit{};
+  Interval90 shape{};
+  double greatest_seen = 0;  ///< of the storms: a fit that ends below it is a bad one
+  std::vector<ReturnValue> returns;
+};
+
+struct YearMaximum {
+  int year = 0;
+  std::size_t step = 0;
+  double value = 0;
+};
+
+/// One distribution of the maxima of years.
+struct MaximaFit {
+  ExtremeValue fit{};
+  std::vector<ReturnValue> returns;
+};
+
+enum class NoPeaks {
+  none,           ///< there is a fit
+  short_history,  ///< less than `least_years`
+  few_storms,     ///< fewer than `least_storms` over the threshold
+  all_alike       ///< no two values differ
+};
+
+/// The extremes of a series.
+struct Extremes {
+  double years_known = 0;  ///< steps that are known, in years of 365.25 days
+  NoPeaks no_peaks = NoPeaks::none;
+  std::size_t storms_found = 0;  ///< over the threshold, or over the best of all that were tried
+  double separation_h = 0;
+  std::optional<PeaksFit> peaks;
+  std::vector<PeaksFit> other_thresholds;  ///< ascending, that of `peaks` among them
+  std::vector<YearMaximum> maxima;         ///< of the years that are complete
+  std::optional<MaximaFit> gumbel;
+  std::optional<MaximaFit> extreme_value;
+};
+
+/// Return values by peaks over a threshold, and by the maxima of calendar years (UTC):
+///
+///   x(T) = u + y,  P(Y > y) = 1 / (rate T)       storms as a Poisson process (Coles 2001, 4.3.3)
+///   x(T) not exceeded with exp(-1 / T)            maxima of years
+///
+/// Both mean the same T: the mean time between exceedances. A maximum's usual 1 - 1/T differs from
+/// exp(-1/T) for short T alone.
+///
+/// Intervals by the parametric bootstrap: samples drawn from the fit, as many storms as a Poisson
+/// number, fitted again. They know the scatter of the sample, not that the fit may be the wrong
+/// form, nor that climates change.
+///
+/// @param values  one a step, NaN where nobody knows
+[[nodiscard]] Extremes extremes_of(std::span<const double> values, const StepClock& clock,
+                                   const ExtremesQuestion& question);
+
+// The parts, for themselves.
+
+/// The fit of peaks over one threshold; nothing of fewer than three, or where all are alike.
+/// @param years  that are known, > 0
+[[nodiscard]] std::optional<PeaksFit> peaks_fit(std::span<const StormPeak> peaks, double threshold,
+                                                double years, const ExtremesQuestion& question);
+
+/// @param maxima  of years, 3 at least  @param has_shape  generalised; else Gumbel's
+[[nodiscard]] std::optional<MaximaFit> maxima_fit(const std::vector<double>& maxima, bool has_shape,
+                                                  const ExtremesQuestion& question);
+
+/// The greatest value of each calendar year that is complete.
+[[nodiscard]] std::vector<YearMaximum> year_maxima(std::span<const double> values,
+                                                   const StepClock& clock);
+
+}  // namespace slackwater::twin
