@@ -41,6 +41,13 @@ std::string chosen(const AskedWords& words, std::string_view name, std::string_v
 
 }  // namespace
 
+double number_in(std::string_view name, const std::string& text, double least, double most) {
+  const auto value = edr::number_of(text);
+  if (!value || !(*value >= least && *value <= most))
+    throw bad_parameter(name, text, formatted("a number from {:g} to {:g}", least, most));
+  return *value;
+}
+
 AskedWords::AskedWords(const std::string& query, std::initializer_list<std::string_view> known) {
   edr::expect_short("query", query, edr::max_query_bytes);
   for (const std::string& piece : split(query, '&')) {
@@ -85,11 +92,7 @@ std::vector<std::string> AskedWords::all(std::string_view name) const {
 double AskedWords::number(std::string_view name, double least, double most,
                           double otherwise) const {
   const std::string said = one(name);
-  if (said.empty()) return otherwise;
-  const auto value = edr::number_of(said);
-  if (!value || !(*value >= least && *value <= most))
-    throw bad_parameter(name, said, formatted("a number from {:g} to {:g}", least, most));
-  return *value;
+  return said.empty() ? otherwise : number_in(name, said, least, most);
 }
 
 void expect_id(std::string_view what, const std::string& id) {

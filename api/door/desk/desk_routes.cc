@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/door/desk/history_answers.h"
 #include "api/door/desk/kept_answers.h"
 #include "api/door/desk/mission_jobs.h"
 #include "api/door/desk/site_answers.h"
@@ -122,6 +123,8 @@ void add_routes(http::Router& router, const DeskSettings& settings) {
   add("verification", verification_answer);
   add("sources", sources_answer);
   add("decisions", decisions_answer);
+  add("workability", workability_answer);
+  add("climate", climate_answer);
   router.add("GET", "/sites", [settings](const Request&) {
     return json_response(
         sites_json(*settings.forecasts, settings.freshness, settings.store_folder));

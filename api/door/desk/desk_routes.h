@@ -18,7 +18,7 @@ struct DeskSettings {
 /// What people decide from, as the commands answer it:
 ///
 ///     GET /sites, /sites/{site}, /sites/{site}/{windows,report,plan,verification,sources,
-///                                               decisions,texts}
+///                                               decisions,workability,climate,texts}
 ///     POST /sites/{site}/what-if
 ///     GET, POST /missions    GET /missions/{mission}    POST /missions/{mission}/cancel
 ///

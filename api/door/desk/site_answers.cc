@@ -32,15 +32,6 @@ using nlohmann::json;
 /// Of a plan that is made while somebody waits for it, s.
 constexpr double plan_limit_s = 20;
 
-template <typename Parse>
-auto read(const char* word, const std::string& text, Parse parse) {
-  try {
-    return parse(text);
-  } catch (const Error& problem) {
-    throw Error(ErrorKind::usage, std::string(word) + ": " + problem.message());
-  }
-}
-
 WindowsQuestion question_of(const Answers& from, const std::string& site,
                             const std::string& query) {
   static_cast<void>(described_site(site, from.store_folder));
@@ -128,12 +119,10 @@ json verification_answer(const Answers& from, const std::string& id, const std::
   const AskedWords words(query, {"from", "to", "bands"});
   const Site site = described_site(id, from.store_folder);
   calibration::VerifyOptions options;
-  if (const std::string text = words.one("from"); !text.empty())
-    options.from = read("from", text, parse_day);
-  if (const std::string text = words.one("to"); !text.empty())
-    options.to = read("to", text, parse_day);
-  if (const std::string text = words.one("bands"); !text.empty())
-    options.bands = read("bands", text, calibration::parse_bands);
+  if (const auto day = words.read_one("from", parse_day)) options.from = *day;
+  if (const auto day = words.read_one("to", parse_day)) options.to = *day;
+  if (auto bands = words.read_one("bands", calibration::parse_bands))
+    options.bands = *std::move(bands);
   options.threads = cores();
   store::Store store = store::Store::open(from.store_folder, store::OpenMode::read_only);
   return skill_list(verify(store, site, options).entries);
@@ -145,15 +134,14 @@ json sources_answer(const Answers& from, const std::string& id, const std::strin
   calibration::ForecastOptions options;
   options.issued = from.now();
   options.seen_by = options.issued;
-  if (const std::string text = words.one("horizon"); !text.empty()) {
-    options.horizon = read("horizon", text, [](const std::string& v) { return parse_duration(v); });
+  if (const auto horizon = words.read_one("horizon", duration_in)) {
+    options.horizon = *horizon;
     if (options.horizon < std::chrono::hours(1) || options.horizon > std::chrono::days(15))
-      throw Error(ErrorKind::usage, "horizon: found " + text + ", expected 1h to 15d");
+      throw Error(ErrorKind::usage,
+                  "horizon: found " + words.one("horizon") + ", expected 1h to 15d");
   }
-  if (const std::string text = words.one("wind"); !text.empty())
-    options.wind = read("wind", text, wind_policy_from);
-  if (const std::string text = words.one("day"); !text.empty())
-    options.day = read("day", text, parse_day);
+  if (const auto wind = words.read_one("wind", wind_policy_from)) options.wind = *wind;
+  if (const auto day = words.read_one("day", parse_day)) options.day = *day;
   store::Store store = store::Store::open(from.store_folder, store::OpenMode::read_only);
   const SiteData data = load_site_data(store, site, options);
   const calibration::Inputs inputs = calibration::inputs_of(data, options);
@@ -170,8 +158,7 @@ json decisions_answer(const Answers& from, const std::string& id, const std::str
   question.windows = plain_question(site, id);
   question.task = words.one("task");
   if (!question.task.empty()) expect_id("task", question.task);
-  if (const std::string text = words.one("from"); !text.empty())
-    question.from = UtcTime(read("from", text, parse_day));
+  if (const auto day = words.read_one("from", parse_day)) question.from = UtcTime(*day);
   question.known_by = from.now();
   return decisions_json(decisions_of(question, from.store_folder));
 }

@@ -63,6 +63,15 @@ TEST_F(DeskAnswers, PlanSkillSourcesAndDecisionsAreThoseOfTheCommands) {
       without(told({"decisions", "--site", "farm", "--at", "2025-03-04T06:10:00Z"}), {"known_by"}));
 }
 
+TEST_F(DeskAnswers, ThePastIsThatOfTheCommands) {
+  EXPECT_EQ(got("/sites/farm/workability?limit=sea_water_speed%3C%3D0.3&duration=2h&start-hours="
+                "6-18"),
+            told({"workability", "--site", "farm", "--limit", "sea_water_speed<=0.3", "--duration",
+                  "2h", "--start-hours", "6-18"}));
+  EXPECT_EQ(got("/sites/farm/climate?what=roses&of=current&sectors=8"),
+            told({"climate", "--site", "farm", "--roses", "--of", "current", "--sectors", "8"}));
+}
+
 TEST_F(DeskAnswers, SitesSayHowTheirForecastsAre) {
   const json all = got("/sites");
   EXPECT_EQ(all.at("now").get<std::string>().substr(0, 14), "2025-03-04T06:") << "as --at said";
@@ -136,6 +145,12 @@ TEST_F(DeskAnswers, WhatCannotBeAnsweredIsRefusedInOneSentence) {
            Refusal{"/sites/farm/verification?from=then", 400, "from: "},
            Refusal{"/sites/farm/sources?horizon=1min", 400, "expected 1h to 15d"},
            Refusal{"/sites/farm/sources?wind=strong", 400, "wind: "},
+           Refusal{"/sites/farm/workability?duration=2h", 400, "limit"},
+           Refusal{"/sites/farm/workability?limit=sea_water_speed%3C%3D0.3", 400, "duration"},
+           Refusal{"/sites/farm/workability?limit=x.yaml&duration=2h", 400, "limit: "},
+           Refusal{"/sites/farm/climate?of=rain", 400, "of: "},
+           Refusal{"/sites/farm/climate?what=hopes", 400, "roses, scatter or extremes"},
+           Refusal{"/sites/farm/climate?return-period=0", 400, "from 0.01"},
            Refusal{"/missions/0123456789abcdef", 404, "GET /missions"},
        }) {
     const HttpReply no = reply(wrong.target);
