@@ -1,6 +1,7 @@
 // The page of the desk, put together. Every number on it was told by the server.
 import { decidePart } from './decide/decide';
 import { use_palette } from './look/colours';
+import { redraw_charts } from './look/chart';
 import type { Desk } from './look/desk';
 import { by_id, set_hidden, set_text } from './look/element';
 import { keep_looks, kept_looks } from './look/kept';
@@ -81,3 +82,13 @@ function say_link(): void {
 }
 
 void server.watch();
+
+// Paper is white: it is printed in the colours of the day.
+window.addEventListener('beforeprint', () => {
+  use_palette('day');
+  redraw_charts();
+});
+window.addEventListener('afterprint', () => {
+  use_palette(view.values.palette);
+  redraw_charts();
+});

@@ -1,7 +1,7 @@
 // A chart of ECharts in the page's looks: made when it can be seen, redrawn when the palette or its
 // size changes. The slider's hour is a line laid over it, so that moving it draws nothing anew.
-import { CustomChart, HeatmapChart, LineChart, ScatterChart } from 'echarts/charts';
-import { GridComponent, MarkLineComponent, VisualMapComponent } from 'echarts/components';
+import { CustomChart, LineChart } from 'echarts/charts';
+import { GridComponent, MarkLineComponent } from 'echarts/components';
 import * as echarts from 'echarts/core';
 import type { EChartsCoreOption } from 'echarts/core';
 import { CanvasRenderer } from 'echarts/renderers';
@@ -9,16 +9,7 @@ import { colours } from './colours';
 import type { Desk } from './desk';
 import { element, set_hidden } from './element';
 
-echarts.use([
-  CanvasRenderer,
-  CustomChart,
-  GridComponent,
-  HeatmapChart,
-  LineChart,
-  MarkLineComponent,
-  ScatterChart,
-  VisualMapComponent,
-]);
+echarts.use([CanvasRenderer, CustomChart, GridComponent, LineChart, MarkLineComponent]);
 
 export type Option = EChartsCoreOption;
 
@@ -32,7 +23,12 @@ export interface Chart {
   say: (words: string) => void;
 }
 
-export function chart(desk: Desk, name: string, height_px: number, option: () => Option): Chart {
+export function chart(
+  desk: Desk,
+  name: string,
+  height_px: number,
+  option: (width_px: number) => Option,
+): Chart {
   const canvas = element('div', { class: 'canvas', role: 'img', 'aria-label': name });
   const line = element('div', { class: 'hour-mark', hidden: true });
   const node = element('div', { class: 'chart' }, canvas, line);
@@ -54,7 +50,8 @@ export function chart(desk: Desk, name: string, height_px: number, option: () =>
   };
   const draw = (): void => {
     if (made === null) return;
-    made.setOption({ animation: false, textStyle: text_style(), ...option() }, { notMerge: true });
+    const drawn = option(canvas.clientWidth);
+    made.setOption({ animation: false, textStyle: text_style(), ...drawn }, { notMerge: true });
     mark(marked);
   };
   new ResizeObserver(() => {
@@ -64,7 +61,7 @@ export function chart(desk: Desk, name: string, height_px: number, option: () =>
       draw();
     } else {
       made.resize();
-      mark(marked);
+      draw();
     }
   }).observe(canvas);
   desk.onChange((changed) => {
@@ -104,9 +101,9 @@ export function axis(name: string, more: Record<string, unknown> = {}): Record<s
     nameTextStyle: { color: quiet, fontSize: TEXT_PX },
     axisLine: { show: true, lineStyle: { color: quiet } },
     axisTick: { show: true, lineStyle: { color: quiet } },
-    axisLabel: { color: ink, fontSize: TEXT_PX },
     splitLine: { show: true, lineStyle: { color: rule } },
     ...more,
+    axisLabel: { color: ink, fontSize: TEXT_PX, ...(more.axisLabel as Option | undefined) },
   };
 }
 

@@ -16,6 +16,8 @@ const NAMES = [
   'wind',
   'wave',
   'band',
+  'ramp-low',
+  'ramp-high',
 ] as const;
 export type Colours = Record<(typeof NAMES)[number], string>;
 

@@ -23,7 +23,7 @@ export class Tabs {
         'aria-controls': `box-${panel}`,
       });
       const box = element('div', {
-        class: `box ${panel}`,
+        class: 'box',
         role: 'tabpanel',
         id: `box-${panel}`,
         'aria-labelledby': tab.id,

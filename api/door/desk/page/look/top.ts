@@ -45,9 +45,11 @@ export function topPart(desk: Desk): HTMLElement {
     ],
     (to) => view.set({ directions: to }),
   );
+  // Folded away where there is no room for it.
   const looks = element(
-    'div',
-    { class: 'looks' },
+    'details',
+    { class: 'looks', open: matchMedia('(min-width: 701px)').matches },
+    element('summary', {}, 'Units and colours'),
     palette.node,
     speed.node,
     clock.node,

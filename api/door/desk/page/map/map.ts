@@ -1,6 +1,191 @@
+// The map of the site: a camera over layers of SVG; hands move it, a click chooses the place.
 import type { Desk } from '../look/desk';
-import { element } from '../look/element';
+import { button, drawn, element, set_hidden, set_text } from '../look/element';
+import { hour_of } from '../look/hours';
+import type { SiteMap } from '../server/answers';
+import { Refused } from '../server/server';
+import type { Place } from '../view';
+import { coast_path, fetch_coast } from './coast';
+import { column_table } from './column_table';
+import { fetch_field, weather_at, type Field, type Weather } from './field';
+import { listen_to_hands } from './hands';
+import { legend, type Shown } from './legend';
+import { fit, place_at, projection_of, scale_bar, zoomed, type Camera } from './projection';
+import { draw_place, draw_things, draw_water, screen } from './scene';
+import { depth_choice, place_choice } from './tools';
 
-export function mapPart(_desk: Desk): HTMLElement {
-  return element('div');
+const SNAP_PX = 14;
+const COAST_ZOOM = 8.5; // some hundred kilometres
+const NO_FIELD: Field = { of: { currents: [], wind: [], waves: [] }, refused: [] };
+
+export function mapPart(desk: Desk): HTMLElement {
+  const { view, server, look } = desk;
+  let site: SiteMap | null = null;
+  let field = NO_FIELD;
+  let size = { width: 0, height: 0 };
+  const shown: Shown = { current: true, wind: true, waves: true, names: true };
+
+  const coast = drawn('path', { class: 'land' });
+  const [things, water, place] = [drawn('g'), drawn('g', { class: 'water' }), drawn('g')];
+  const aim = drawn('path', { class: 'aim', d: 'M-9,0 H9 M0,-9 V9' });
+  const bar = drawn('g', { class: 'scale-bar' });
+  const picture = drawn(
+    'svg',
+    {
+      class: 'picture',
+      tabindex: 0,
+      role: 'application',
+      'aria-label':
+        'Map, north up. Arrow keys move it, plus and minus zoom, 0 shows all, Enter takes the ' +
+        'place in the middle. The table of columns says the same in words.',
+    },
+    ...[coast, things, water, place, aim, bar],
+  );
+  const says = element('p', { class: 'map-says', role: 'status', hidden: true });
+  const camera = (): Camera => view.values.map ?? fit(places_of(site, view.values.place), size);
+  const weather = (at: Place): Weather =>
+    weather_at(field, at, hour_of(desk) ?? NaN, view.values.depth_m);
+
+  const table = column_table(desk, () => site, weather);
+  const signs = legend(desk, shown, () => draw());
+  const depth = depth_choice(desk);
+  const where = place_choice(desk);
+
+  const draw_hour = (): void => {
+    if (site === null || size.width < 2) return;
+    const to = projection_of(camera(), size);
+    draw_water(water, site, to, shown, look, weather);
+    signs.say(weather(site.columns[0] ?? site.place).current_depth_m);
+    table.show();
+  };
+  const draw = (): void => {
+    if (size.width < 2) return;
+    const from = camera();
+    const to = projection_of(from, size);
+    const west_north = place_at(from, size, 0, 0);
+    const east_south = place_at(from, size, size.width, size.height);
+    coast.setAttribute(
+      'd',
+      coast_path(
+        to,
+        west_north.longitude_deg,
+        east_south.latitude_deg,
+        east_south.longitude_deg,
+        west_north.latitude_deg,
+      ),
+    );
+    if (site !== null) draw_things(things, site, to, shown.names);
+    draw_place(place, view.values.place ?? site?.place ?? null, to);
+    aim.setAttribute('transform', `translate(${size.width / 2} ${size.height / 2})`);
+    draw_bar(bar, from, size.height);
+    draw_hour();
+  };
+  let asked = 0;
+  const draw_soon = (): void => {
+    cancelAnimationFrame(asked);
+    asked = requestAnimationFrame(draw);
+  };
+  const say = (words: string): void => {
+    set_text(says, words);
+    set_hidden(says, words === '');
+  };
+
+  const load = async (): Promise<void> => {
+    const id = view.values.site;
+    if (id === '') return;
+    try {
+      const next = await server.site(id);
+      if (id !== view.values.site) return;
+      site = next;
+      field = NO_FIELD;
+      depth.show(site);
+      where.show(site);
+      draw();
+      field = await fetch_field(server, next);
+      say(field.refused.join(' '));
+    } catch (problem) {
+      if (!(problem instanceof Refused)) throw problem;
+      say(`The map has no data: ${problem.detail}`);
+    }
+    draw();
+  };
+  const load_coast = async (): Promise<void> => {
+    try {
+      await fetch_coast(server);
+      draw();
+    } catch (problem) {
+      if (!(problem instanceof Refused)) throw problem; // a map without coast shows the site
+    }
+  };
+
+  listen_to_hands(picture, {
+    camera,
+    size: () => size,
+    move: (map) => view.set({ map }),
+    show_all: () => view.set({ map: null }),
+    choose: (x, y) => {
+      const to = projection_of(camera(), size);
+      const near = [...(site?.columns ?? []), ...(site?.turbines ?? [])].find((thing) => {
+        const [right, down] = screen(to, thing);
+        return Math.hypot(right - x, down - y) < SNAP_PX;
+      });
+      const { longitude_deg, latitude_deg } = near ?? place_at(camera(), size, x, y);
+      view.set({ place: { longitude_deg, latitude_deg }, panel: 'place' });
+    },
+  });
+  const zoom = (by: number): void =>
+    view.set({ map: zoomed(camera(), size, by, size.width / 2, size.height / 2) });
+  const buttons = element(
+    'div',
+    { class: 'map-zoom', role: 'group', 'aria-label': 'Zoom' },
+    button('+', () => zoom(1), { 'aria-label': 'Zoom in' }),
+    button('−', () => zoom(-1), { 'aria-label': 'Zoom out' }),
+    button('Coast', () => view.set({ map: { ...camera(), zoom: COAST_ZOOM } })),
+    button('All', () => view.set({ map: null }), { 'aria-label': 'Show all of the site' }),
+  );
+
+  desk.onChange((changed) => {
+    if (changed.has('site') || changed.has('forecast')) void load();
+    else if (changed.has('server') && server.link.is === 'there' && site === null) void load();
+    if (changed.has('map') || changed.has('place')) draw_soon();
+    else if (!changed.has('panel')) draw_hour();
+    if (changed.has('depth_m')) depth.show(site);
+    if (changed.has('place')) where.show(site);
+  });
+  new ResizeObserver(() => {
+    size = { width: picture.clientWidth, height: picture.clientHeight };
+    draw();
+  }).observe(picture);
+  void load();
+  // After the first picture: the coast weighs more than all the rest.
+  setTimeout(() => void load_coast(), 0);
+
+  return element(
+    'div',
+    { class: 'map' },
+    element('div', { class: 'map-tools' }, depth.node, where.node),
+    element('div', { class: 'map-view' }, picture, says, buttons, signs.node),
+    table.node,
+  );
+}
+
+function places_of(site: SiteMap | null, place: Place | null): Place[] {
+  if (site === null) return [place ?? { longitude_deg: 0, latitude_deg: 50 }];
+  const of_points = (points: [number, number][]): Place[] =>
+    points.map(([longitude_deg, latitude_deg]) => ({ longitude_deg, latitude_deg }));
+  return [
+    site.place,
+    ...site.columns,
+    ...site.turbines,
+    ...site.cables.flatMap(({ points }) => of_points(points)),
+    ...site.areas.flatMap(({ ring }) => of_points(ring)),
+  ];
+}
+
+function draw_bar(at: SVGGElement, camera: Camera, height: number): void {
+  const { px, text } = scale_bar(camera, 120);
+  at.replaceChildren(
+    drawn('path', { d: `M12,${height - 18} v6 h${px} v-6` }),
+    drawn('text', { x: 12, y: height - 22 }, text),
+  );
 }

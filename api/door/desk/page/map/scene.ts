@@ -1,0 +1,138 @@
+// What is drawn on the map: land, zones, cables, turbines, columns with their water, the place.
+import type { GeoProjection } from 'd3-geo';
+import type { Look } from '../look/look';
+import { drawn } from '../look/element';
+import { is_known } from '../look/units';
+import type { SiteMap } from '../server/answers';
+import type { Place } from '../view';
+import { current_arrow, wave_arrow, wind_barb } from './arrows';
+import type { Weather } from './field';
+import { place_sign, turbine_sign, type Shown } from './legend';
+
+type Point = [number, number];
+
+/** The things that do not change with the hour. */
+export function draw_things(
+  at: SVGGElement,
+  site: SiteMap,
+  to: GeoProjection,
+  names: boolean,
+): void {
+  const line = (points: Point[]): string =>
+    points
+      .map((point) => to(point))
+      .filter((point) => point !== null)
+      .map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${x.toFixed(1)},${y.toFixed(1)}`)
+      .join('');
+  const made: SVGElement[] = [];
+  for (const { name, kind, ring, note } of site.areas) {
+    const area = drawn('path', { class: 'area', d: `${line(ring)}Z` });
+    area.append(drawn('title', {}, `${name} (${kind}) ${note}`));
+    made.push(area);
+    const corners = ring.map((point) => to(point)).filter((point) => point !== null);
+    const west = Math.min(...corners.map(([x]) => x));
+    const north = Math.min(...corners.map(([, y]) => y));
+    if (names && corners.length > 0) made.push(text([west, north], 2, -6, name, 'name'));
+  }
+  for (const { name, points } of site.cables) {
+    const cable = drawn('path', { class: 'cable', d: line(points) });
+    cable.append(drawn('title', {}, `Cable ${name}`));
+    made.push(cable);
+  }
+  const turbines = site.turbines.map((turbine) => ({ turbine, at: screen(to, turbine) }));
+  const has_room = turbines.every(
+    (a, i) =>
+      i > 60 ||
+      turbines.every((b, j) => i === j || Math.hypot(a.at[0] - b.at[0], a.at[1] - b.at[1]) > 30),
+  );
+  for (const { turbine, at: here } of turbines) {
+    made.push(drawn('g', { transform: `translate(${here})` }, turbine_sign()));
+    if (names && has_room) made.push(text(here, 0, -14, turbine.id, 'name middle'));
+  }
+  at.replaceChildren(...made);
+}
+
+const LABELS_UP_TO = 12;
+const ARROWS_APART_PX = 46;
+
+/** The things of the hour, at each column; barbs and wave arrows only where they have room. */
+export function draw_water(
+  at: SVGGElement,
+  site: SiteMap,
+  to: GeoProjection,
+  shown: Shown,
+  look: Look,
+  weather_at: (place: Place) => Weather,
+): void {
+  const made: SVGElement[] = [];
+  const taken: Point[] = [];
+  const with_labels = shown.names && site.columns.length <= LABELS_UP_TO;
+  for (const column of site.columns) {
+    const here = screen(to, column);
+    const weather = weather_at(column);
+    const has_room = taken.every(
+      ([x, y]) => Math.hypot(x - here[0], y - here[1]) > ARROWS_APART_PX,
+    );
+    const signs: (SVGElement | null)[] = [];
+    if (has_room) {
+      taken.push(here);
+      const is_south = column.latitude_deg < 0;
+      if (shown.waves) signs.push(wave_arrow(weather.wave_height_m, weather.wave_from_deg));
+      if (shown.wind) signs.push(wind_barb(weather.wind_m_s, weather.wind_from_deg, is_south));
+    }
+    if (shown.current) signs.push(current_arrow(weather.current_m_s, weather.current_to_deg));
+    signs.push(drawn('circle', { class: 'column', r: 4 }));
+    made.push(
+      drawn(
+        'g',
+        { transform: `translate(${here})` },
+        ...signs.filter((sign) => sign !== null),
+        drawn('title', {}, [column.name, ...lines_of(weather, shown, look)].join('\n')),
+      ),
+    );
+    if (!shown.names || !has_room) continue;
+    // Words stand to leeward, where no barb is.
+    const is_left = (weather.wind_from_deg ?? 270) < 180;
+    const lines = is_known(column.bed_m) ? [`bed ${look.metres(column.bed_m)}`] : [];
+    if (with_labels) lines.push(...lines_of(weather, shown, look));
+    lines.forEach((line, i) =>
+      made.push(text(here, is_left ? -14 : 14, 18 + 16 * i, line, is_left ? 'end' : 'start')),
+    );
+  }
+  at.replaceChildren(...made);
+}
+
+function lines_of(weather: Weather, shown: Shown, look: Look): string[] {
+  const lines: string[] = [];
+  if (shown.current) {
+    lines.push(
+      `current ${look.speed(weather.current_m_s, 2)} to ${look.direction(weather.current_to_deg)}`,
+    );
+  }
+  if (shown.wind) {
+    lines.push(
+      `wind ${look.speed(weather.wind_m_s)} from ${look.direction(weather.wind_from_deg)}`,
+    );
+  }
+  if (shown.waves) {
+    const height = look.metres(weather.wave_height_m, 1);
+    lines.push(`waves ${height} from ${look.direction(weather.wave_from_deg)}`);
+  }
+  return lines;
+}
+
+export function draw_place(at: SVGGElement, place: Place | null, to: GeoProjection): void {
+  if (place === null) at.replaceChildren();
+  else
+    at.replaceChildren(drawn('g', { transform: `translate(${screen(to, place)})` }, place_sign()));
+}
+
+/** Whole tenths of a pixel; far outside where the projection has no answer. */
+export function screen(to: GeoProjection, { longitude_deg, latitude_deg }: Place): Point {
+  const [x, y] = to([longitude_deg, latitude_deg]) ?? [-1e4, -1e4];
+  return [Math.round(x * 10) / 10, Math.round(y * 10) / 10];
+}
+
+function text([x, y]: Point, right: number, down: number, words: string, kind: string): SVGElement {
+  return drawn('text', { class: kind, x: x + right, y: y + down }, words);
+}

@@ -1,0 +1,59 @@
+// All that the server forecasts at one place: asked for once, for all hours and levels.
+import type { ForecastInForce, SiteMap } from '../server/answers';
+import type { Column } from '../server/coverage';
+import { Refused, type Server } from '../server/server';
+import type { Place } from '../view';
+
+/** A column of values, or what the server said instead. */
+export type Told = { column: Column; refused: null } | { column: null; refused: string };
+
+export interface Water {
+  currents: Told;
+  wind: Told;
+  waves: Told;
+  tide: Told;
+}
+
+export const NO_TIDE = 'No tide is served for this place.';
+const HEIGHT_M = 10;
+
+export async function fetch_water(
+  server: Server,
+  site: SiteMap,
+  forecast: ForecastInForce,
+  place: Place,
+): Promise<Water> {
+  const heights = [...new Set([HEIGHT_M, ...site.hub_heights_m])].sort((a, b) => a - b);
+  const ask = (collection: string, more: Record<string, string> = {}): Promise<Told> => {
+    const query = new URLSearchParams({
+      coords: `POINT(${place.longitude_deg} ${place.latitude_deg})`,
+      datetime: `${forecast.valid_from}/${forecast.valid_to}`,
+      ...more,
+      f: 'CoverageJSON',
+    });
+    return told(server, `${collection}/position?${query}`);
+  };
+  const [currents, wind, waves, tide] = await Promise.all([
+    ask('currents'),
+    ask('wind', { z: heights.join() }),
+    ask('waves'),
+    ask('sea-level'),
+  ]);
+  return {
+    currents,
+    wind,
+    waves,
+    tide: tide.column === null ? { ...tide, refused: NO_TIDE } : tide,
+  };
+}
+
+async function told(server: Server, query: string): Promise<Told> {
+  try {
+    const [column] = await server.columns(query);
+    if (column !== undefined && column.times_ms.length > 0) return { column, refused: null };
+    return { column: null, refused: 'The server has no values here.' };
+  } catch (problem) {
+    if (!(problem instanceof Refused)) throw problem;
+    return { column: null, refused: problem.detail };
+  }
+}
