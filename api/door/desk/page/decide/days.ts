@@ -2,11 +2,12 @@
 import { element } from '../look/element';
 import { day_text, hour_text } from '../look/units';
 import { told, type Answer } from './answer';
-import type { Day, Report, ReportTask } from './answers';
+import type { Day, Report, ReportTask, Verdict } from './answers';
 import { task_cell } from './task_cell';
 import { verdict_badge } from './verdict_badge';
 import { past_text } from './words';
 
+const VERDICTS: readonly Verdict[] = ['go', 'marginal', 'no-go'];
 const MARGINAL = 0.5; // the rule of the report, where nobody asked for another
 
 /** @param why_no_today  what is said where the report has no hours of today */
@@ -56,9 +57,17 @@ function head(answer: Answer<Report>, key: string, day: Day, title: string): HTM
   );
 }
 
-/** Tasks in the order of the report, those of today alone behind. */
+/** What can be done first: by the better verdict of the two days, then by the better chance. */
 function names_of({ today, tasks }: Report): string[] {
-  return [...new Set([...tasks, ...(today?.tasks ?? [])].map(({ task }) => task))];
+  const all = [...(today?.tasks ?? []), ...tasks];
+  const worth = (name: string): number =>
+    Math.max(...all.filter(({ task }) => task === name).map(({ best }) => best?.worth ?? -1));
+  const rank = (name: string): number =>
+    Math.min(
+      ...all.filter(({ task }) => task === name).map(({ verdict }) => VERDICTS.indexOf(verdict)),
+    );
+  const names = [...new Set([...tasks, ...all].map(({ task }) => task))];
+  return names.sort((a, b) => rank(a) - rank(b) || worth(b) - worth(a));
 }
 
 function task_line(answer: Answer<Report>, name: string, zone: string): HTMLElement {
@@ -68,22 +77,15 @@ function task_line(answer: Answer<Report>, name: string, zone: string): HTMLElem
   const now = at(report.today?.tasks);
   const next = at(report.tasks);
   const task = (report.tasks[next] ?? report.today?.tasks[now]) as ReportTask;
-  const cell = (key: string, of: ReportTask | undefined, title: string): HTMLElement => {
-    const made =
-      of === undefined
-        ? element(
-            'div',
-            { class: 'task-cell' },
-            element('p', { class: 'first note' }, 'Nothing is said of it.'),
-          )
-        : task_cell(answer, key, of, zone, MARGINAL);
-    made.prepend(element('p', { class: 'cell-title' }, title));
-    return made;
-  };
+  const cell = (title: string, key: string, of: ReportTask | undefined): HTMLElement =>
+    of === undefined
+      ? element('p', { class: 'task-cell note' }, `${title}: nothing is said of it.`)
+      : task_cell(title, answer, key, of, zone, MARGINAL);
   const cells = element('div', { class: 'cells' });
-  if (report.today !== null)
-    cells.append(cell(`today.tasks.${now}`, report.today.tasks[now], 'Today'));
-  cells.append(cell(`tasks.${next}`, report.tasks[next], day_text(Date.parse(report.from), zone)));
+  if (report.today !== null) {
+    cells.append(cell('Today', `today.tasks.${now}`, report.today.tasks[now]));
+  }
+  cells.append(cell(day_text(Date.parse(report.from), zone), `tasks.${next}`, report.tasks[next]));
   return element(
     'li',
     {},

@@ -89,7 +89,8 @@ function drawn_row(
       }),
       drawn('title', {}, words[i] ?? ''),
     );
-    if (bar.kind === 'job') inside.append(drawn('text', { x: 4, y: 13 }, bar.text));
+    if (bar.kind !== 'reserve')
+      inside.append(drawn('text', { class: bar.kind, x: 4, y: 13 }, bar.text));
     svg.append(inside);
   });
   const line = hour_line(height);

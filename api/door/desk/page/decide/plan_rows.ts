@@ -20,7 +20,8 @@ export function plan_rows(plan: Plan): PlanRow[] {
   const of = (keep: (job: PlanJob) => boolean, text: (job: PlanJob) => string): PlanBar[] =>
     jobs.filter(({ job }) => keep(job)).flatMap(({ job, key }) => job_bars(job, key, text(job)));
   const sorted = (names: string[]): string[] => [...new Set(names)].sort();
-  const named = ({ job }: PlanJob): string => job;
+  // The turbine first: a short bar shows the beginning of its text.
+  const named = ({ task, turbine }: PlanJob): string => `${turbine} ${task}`;
 
   const teams = sorted([
     ...plan.jobs.map(({ crew }) => crew),

@@ -7,8 +7,12 @@ import { opened } from './table';
 import { verdict_badge } from './verdict_badge';
 import { chance_text, counted, interval_text, with_hours } from './words';
 
-/** @param key where the task stands in the report: "today.tasks.3" or "tasks.3" */
+/**
+ * @param title which day
+ * @param key where the task stands in the report: "today.tasks.3" or "tasks.3"
+ */
 export function task_cell(
+  title: string,
   answer: Answer<Report>,
   key: string,
   task: ReportTask,
@@ -20,6 +24,8 @@ export function task_cell(
   const first = element(
     'p',
     { class: 'first' },
+    element('span', { class: 'cell-title' }, title),
+    ' ',
     verdict_badge(answer, `${key}.verdict`, task.verdict),
   );
   cell.append(first);
@@ -32,9 +38,14 @@ export function task_cell(
       told(answer, `${key}.best.start`, hour),
       ', ',
       element('strong', {}, told(answer, `${key}.best.probability`, chance_text)),
-      ' (',
-      told(answer, `${key}.best.interval_95`, (range: Range) => interval_text(range)),
-      ')',
+      ' ',
+      element(
+        'span',
+        { class: 'interval' },
+        '(',
+        told(answer, `${key}.best.interval_95`, (range: Range) => interval_text(range)),
+        ')',
+      ),
     );
     if (best.flown !== null) {
       first.append(
@@ -54,17 +65,26 @@ export function task_cell(
       ),
     );
   }
-  cell.append(...helps(answer, key, task, zone));
   if (task.assumed.length > 0) {
-    cell.append(
-      element('p', { class: 'binds' }, `Assumed, not forecast: ${task.assumed.join('; ')}`),
-    );
+    const assumed = `Assumed, not forecast: ${task.assumed.join('; ')}`;
+    cell.append(element('p', { class: 'binds' }, assumed));
   }
-  if (task.not_checked.length > 0) {
-    const count = task.not_checked.length;
+  const help = helps(answer, key, task, zone);
+  const count = task.not_checked.length;
+  const parts = [
+    ...(count > 0 ? [`${counted(count, 'limit')} not checked`] : []),
+    ...(help.length > 0 ? ['what would help'] : []),
+  ];
+  if (parts.length > 0) {
     cell.append(
-      opened(`${counted(count, 'limit')} not checked`, () =>
-        element('ul', {}, ...task.not_checked.map((limit) => element('li', {}, limit))),
+      opened(parts.join('; '), () =>
+        element(
+          'div',
+          {},
+          ...help,
+          ...(count > 0 ? [element('p', {}, 'Not checked:')] : []),
+          element('ul', {}, ...task.not_checked.map((limit) => element('li', {}, limit))),
+        ),
       ),
     );
   }

@@ -6,7 +6,7 @@ import { Axis } from './axis';
 import { clock_above, hatches, move_hour_line } from './axis_drawing';
 import { start_detail } from './start_detail';
 import { windows_row, first_named } from './windows_row';
-import { windows_table } from './windows_table';
+import { windows_tables } from './windows_table';
 import { VERDICT, allowed_text } from './words';
 
 export interface Gantt {
@@ -45,10 +45,10 @@ export function windows_gantt(
         element('h4', { class: 'task-name' }, task.name, badge(task)),
         row.svg,
         detail,
-        windows_table(answer, t, zone),
       ),
     );
   });
+  if (windows.tasks.length > 0) node.append(windows_tables(answer, zone));
   for (const { task, why } of windows.left_out) {
     node.append(element('p', { class: 'left-out' }, `${task} could not be worked out: ${why}`));
   }
@@ -106,7 +106,7 @@ function legend({ rules, tasks }: Windows): HTMLElement {
   const alpha = tasks.find(({ no_alpha }) => no_alpha !== null)?.no_alpha ?? null;
   return element(
     'div',
-    { class: 'legend' },
+    { class: 'gantt-legend' },
     mark('go', `go: ${percent(rules.go)} and more`),
     mark('marginal', `marginal: ${percent(rules.marginal)} and more`),
     mark('low', 'below: no-go'),

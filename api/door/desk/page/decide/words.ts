@@ -21,7 +21,7 @@ export function chance_text(probability: number | null | undefined): string {
 
 export function interval_text(interval: Range | null | undefined): string {
   if (!interval) return '';
-  return `${Math.round(100 * interval[0])} to ${Math.round(100 * interval[1])} %`;
+  return `${Math.round(100 * interval[0])} to ${Math.round(100 * interval[1])}\u00a0%`;
 }
 
 /** Where the answers have a time inside a text, the hour alone, in the view's zone. */

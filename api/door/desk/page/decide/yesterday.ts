@@ -28,6 +28,7 @@ export function yesterday(answer: Answer<Score[]>, look: Look): HTMLElement {
     node.append(
       element('h4', {}, `${name}: root mean square error`),
       scroll_region(`${name}: errors by lead`, lead_table(answer, days, look)),
+      element('p', { class: 'note' }, `Held against ${truths(days)}.`),
     );
     const first = days[0];
     if (first !== undefined && first.lead_h[0] === 0) {
@@ -43,21 +44,26 @@ export function yesterday(answer: Answer<Score[]>, look: Look): HTMLElement {
   return node;
 }
 
+function truths(days: readonly LeadDay[]): string {
+  return [...new Set(days.map(({ truth }) => truth))].join(', ');
+}
+
 function lead_table(answer: Answer<Score[]>, days: LeadDay[], look: Look): HTMLElement {
   const heads = days.map(
-    ({ lead_h, issued, truth }) =>
-      `${lead_h[0]} to ${lead_h[1]} h ahead, issued ${look.day(Date.parse(issued))}, against ${truth}`,
+    ({ lead_h, issued }) =>
+      `${lead_h[0]} to ${lead_h[1]} h ahead, issued ${look.day(Date.parse(issued))}`,
   );
   const rows = methods_of(days).map((method) => {
     const cells = days.map(({ by_method }) => {
       const found = by_method.get(method);
       if (found === undefined) return 'none';
       const ours = by_method.get('forecast')?.rmse ?? null;
-      const shown = told(answer, found.key, (rmse: number | null) =>
-        error_text(rmse, found.score.unit, look),
-      );
+      const text = (rmse: number | null): string => error_text(rmse, found.score.unit, look);
+      const shown = told(answer, found.key, text);
       const is_better =
-        method !== 'forecast' && found.rmse !== null && ours !== null && found.rmse < ours;
+        method !== 'forecast' &&
+        (found.rmse ?? Infinity) < (ours ?? 0) &&
+        text(found.rmse) !== text(ours);
       return is_better ? element('span', { class: 'better' }, shown, ' (less than ours)') : shown;
     });
     return [method_text(method), ...cells];
