@@ -1,11 +1,11 @@
 // The page of the desk, put together. Every number on it was told by the server.
 import { decidePart } from './decide/decide';
 import { use_palette } from './look/colours';
-import { redraw_charts } from './look/chart';
 import type { Desk } from './look/desk';
 import { by_id, set_hidden, set_text } from './look/element';
 import { keep_looks, kept_looks } from './look/kept';
 import { Look } from './look/look';
+import { listen_to_printer } from './look/paper';
 import { Tabs } from './look/tabs';
 import { topPart } from './look/top';
 import { mapPart } from './map/map';
@@ -61,7 +61,10 @@ desk.onChange(() => {
     if (hash !== location.hash) history.replaceState(null, '', hash);
   }, 250);
 });
-window.addEventListener('hashchange', () => view.set(read_hash(location.hash, view.values)));
+window.addEventListener('hashchange', () => {
+  const site = view.values.site; // where a link names none
+  view.set(read_hash(location.hash, { ...first_view(kept_looks()), site }));
+});
 
 function choose_site(): void {
   const known = server.sites?.sites ?? [];
@@ -81,14 +84,5 @@ function say_link(): void {
   set_hidden(notice, link.is === 'there');
 }
 
+listen_to_printer(() => view.values.palette);
 void server.watch();
-
-// Paper is white: it is printed in the colours of the day.
-window.addEventListener('beforeprint', () => {
-  use_palette('day');
-  redraw_charts();
-});
-window.addEventListener('afterprint', () => {
-  use_palette(view.values.palette);
-  redraw_charts();
-});

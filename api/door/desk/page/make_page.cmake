@@ -1,4 +1,4 @@
-# Script: leaves ${ASSETS}/page.js and ${ASSETS}/land-50m.json, empty where npm or the registry is
+# Script: leaves ${ASSETS}/page.js, page.css and land-50m.json, empty where npm or the registry is
 # out of reach.
 #
 #   cmake -DNPM=npm -DFROM=api/door/desk/page -DASSETS=build/desk-page
@@ -10,8 +10,9 @@ function(give_up reason)
   message(WARNING "The page / is built without its script: ${reason}. "
                   "With npm and a network, touch "
                   "api/door/desk/page/package.json and build again.")
-  file(WRITE ${ASSETS}/page.js "")
-  file(WRITE ${ASSETS}/land-50m.json "")
+  foreach(made page.js page.css land-50m.json)
+    file(WRITE ${ASSETS}/${made} "")
+  endforeach()
 endfunction()
 
 file(MAKE_DIRECTORY ${ASSETS})
@@ -44,7 +45,8 @@ endif()
 
 # The sources beside their packages, as tsc and esbuild look for them.
 file(REMOVE_RECURSE ${ASSETS}/page)
-file(COPY ${FROM}/ DESTINATION ${ASSETS}/page FILES_MATCHING PATTERN "*.ts" PATTERN "tsconfig.json")
+file(COPY ${FROM}/ DESTINATION ${ASSETS}/page FILES_MATCHING PATTERN "*.ts" PATTERN "*.css"
+                                                PATTERN "tsconfig.json")
 
 set(tools ${ASSETS}/node_modules/.bin)
 execute_process(COMMAND ${tools}/tsc --noEmit -p ${ASSETS}/page WORKING_DIRECTORY ${ASSETS}
@@ -53,9 +55,9 @@ if(NOT result EQUAL 0)
   message(FATAL_ERROR "The script of the page / has errors:\n${said}${reason}")
 endif()
 execute_process(
-  COMMAND ${tools}/esbuild page/main.ts --bundle --format=iife --target=es2022 --minify
-          --charset=utf8
-          --legal-comments=none --log-level=warning --outfile=page.js
+  COMMAND ${tools}/esbuild page=page/main.ts page=page/page.css --bundle --format=iife
+          --target=es2022 --minify --charset=utf8 --legal-comments=none --log-level=warning
+          --outdir=.
   WORKING_DIRECTORY ${ASSETS} RESULT_VARIABLE result ERROR_VARIABLE reason)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "esbuild does not bundle the page /:\n${reason}")

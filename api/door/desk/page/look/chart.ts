@@ -50,7 +50,7 @@ export function chart(
   };
   const draw = (): void => {
     if (made === null) return;
-    const drawn = option(canvas.clientWidth);
+    const drawn = option(made.getWidth());
     made.setOption({ animation: false, textStyle: text_style(), ...drawn }, { notMerge: true });
     mark(marked);
   };
@@ -69,7 +69,10 @@ export function chart(
       draw();
     }
   });
-  on_print(draw);
+  resizers.push((width_px) => {
+    made?.resize({ width: width_px });
+    draw();
+  });
   return { node, draw, mark, say: (words) => canvas.setAttribute('aria-label', words) };
 }
 
@@ -107,11 +110,8 @@ export function axis(name: string, more: Record<string, unknown> = {}): Record<s
   };
 }
 
-// Paper is white: charts are drawn in the colours of the day while the page is printed.
-const drawers: (() => void)[] = [];
-function on_print(draw: () => void): void {
-  drawers.push(draw);
-}
-export function redraw_charts(): void {
-  for (const draw of drawers) draw();
+const resizers: ((width_px: number | 'auto') => void)[] = [];
+/** For paper, whose width no observer tells. */
+export function resize_charts(width_px: number | 'auto'): void {
+  for (const resize of resizers) resize(width_px);
 }

@@ -37,8 +37,30 @@ export interface Tick {
   is_day: boolean; // midnight in the zone
 }
 
-/** Ticks at the zone's 00, 06, 12 and 18 o'clock; fewer where there is no room. */
-export function time_ticks(reach: Reach, zone: string, every_h: 6 | 12 | 24): Tick[] {
+const DAY_PX = 96; // of "Thu 13 Mar", with room
+const HOUR_PX = 28;
+
+/** Ticks at the zone's 00, 06, 12 and 18 o'clock, as far as their words have room; days first. */
+export function time_ticks(reach: Reach, zone: string, width_px: number): Tick[] {
+  const px_per_ms = width_px / (reach.to_ms - reach.from_ms);
+  const kept: (Tick & { from_px: number; to_px: number })[] = [];
+  const all = all_ticks(reach, zone, width_px > 560 ? 6 : 12);
+  for (const is_day of [true, false]) {
+    for (const tick of all.filter((one) => one.is_day === is_day)) {
+      const wide = is_day ? DAY_PX : HOUR_PX;
+      const middle = (tick.at_ms - reach.from_ms) * px_per_ms;
+      // At the ends the words stand inside.
+      const from_px = Math.min(width_px - wide, Math.max(0, middle - wide / 2));
+      const to_px = from_px + wide;
+      if (kept.some((one) => from_px < one.to_px && to_px > one.from_px)) continue;
+      kept.push({ ...tick, from_px, to_px });
+    }
+  }
+  kept.sort((a, b) => a.at_ms - b.at_ms);
+  return kept.map(({ at_ms, text, is_day }) => ({ at_ms, text, is_day }));
+}
+
+function all_ticks(reach: Reach, zone: string, every_h: number): Tick[] {
   const ticks: Tick[] = [];
   const first = Math.ceil(reach.from_ms / HOUR_MS) * HOUR_MS;
   for (let at_ms = first; at_ms <= reach.to_ms; at_ms += HOUR_MS) {

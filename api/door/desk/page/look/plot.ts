@@ -31,7 +31,10 @@ export function picture(
   const node = element('div', { class: 'chart' }, svg);
   node.style.height = `${height_px}px`;
   const draw = (): void => {
-    if (node.clientWidth > 2) svg.replaceChildren(...content(node.clientWidth));
+    const width_px = node.clientWidth;
+    if (width_px <= 2) return;
+    svg.setAttribute('viewBox', `0 0 ${width_px} ${height_px}`); // so that paper may shrink it
+    svg.replaceChildren(...content(width_px));
   };
   new ResizeObserver(draw).observe(node);
   return { node, draw, say: (words) => svg.setAttribute('aria-label', words) };
@@ -81,6 +84,7 @@ function ticks({ min, max, every }: Scale): number[] {
 }
 
 function number_text(value: number, every: number): string {
+  if (value === 0) return '0';
   const places = Math.max(0, Math.ceil(-Math.log10(every) - 1e-9));
   const has_half = Math.abs(every * 10 ** places - Math.round(every * 10 ** places)) > 1e-6;
   return value.toFixed(places + (has_half ? 1 : 0)).replace('-', '−');

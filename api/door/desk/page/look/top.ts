@@ -97,11 +97,12 @@ const STATUS = {
   unreadable: 'Cannot be read',
 } as const;
 
-function words_of({ server, view }: Desk): string {
+/** What stands in place of a forecast, and what to do. */
+export function words_of({ server, view }: Desk): string {
   if (server.sites === null) return 'Asking the server …';
   const sites = server.sites.sites;
   if (sites.length === 0) {
-    return 'No site has a forecast yet. Make one with: slackwater morning --site SITE';
+    return 'No site has a forecast yet. Make one: slackwater morning --site SITE';
   }
   const it = sites.find(({ id }) => id === view.values.site);
   if (it === undefined) {

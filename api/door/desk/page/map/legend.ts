@@ -1,8 +1,9 @@
 // The legend: what each sign is, and whether a direction is meant "to" or "from".
 import type { Desk } from '../look/desk';
 import { drawn, element, set_text } from '../look/element';
-import { current_arrow, CURRENT_PX_PER_M_S, wave_arrow, wind_barb } from './arrows';
+import { current_arrow, wave_arrow, wind_barb } from './arrows';
 
+const LEGEND_M_S = 0.5;
 export type Layer = 'current' | 'wind' | 'waves' | 'names';
 export type Shown = Record<Layer, boolean>;
 
@@ -13,7 +14,7 @@ export function legend(
 ): { node: HTMLElement; say: (depth_m: number | null) => void } {
   const current = element('span');
   const rows: [Layer, SVGElement | null, HTMLElement][] = [
-    ['current', current_arrow(30 / CURRENT_PX_PER_M_S, 90), current],
+    ['current', current_arrow(LEGEND_M_S, 90), current],
     ['wind', wind_barb(7.7, 270), words('Wind at 10 m, from: the staff stands to windward')],
     ['waves', wave_arrow(1, 270), words('Waves, from: the arrow comes in; longer is higher')],
     ['names', null, words('Names and values')],
@@ -41,7 +42,7 @@ export function legend(
     ),
   );
   const say = (depth_m: number | null): void => {
-    const speed = desk.look.speed(30 / CURRENT_PX_PER_M_S);
+    const speed = desk.look.speed(LEGEND_M_S);
     set_text(
       current,
       depth_m === null
@@ -59,7 +60,7 @@ function words(text: string): HTMLElement {
 
 function sign_of(sign: SVGElement | null, layer: Layer): SVGElement | string {
   if (sign === null) return '';
-  const offset = layer === 'current' ? -15 : 22;
+  const offset = layer === 'current' ? -24 : 24;
   return drawn(
     'svg',
     { class: 'sign', viewBox: '-22 -12 44 24', 'aria-hidden': 'true' },

@@ -3,6 +3,7 @@ import type { Desk } from '../look/desk';
 import { button, drawn, element, set_hidden, set_text } from '../look/element';
 import { hour_of } from '../look/hours';
 import type { SiteMap } from '../server/answers';
+import { words_of } from '../look/top';
 import { Refused } from '../server/server';
 import type { Place } from '../view';
 import { coast_path, fetch_coast } from './coast';
@@ -92,7 +93,10 @@ export function mapPart(desk: Desk): HTMLElement {
 
   const load = async (): Promise<void> => {
     const id = view.values.site;
-    if (id === '') return;
+    if (id === '') {
+      say(words_of(desk));
+      return;
+    }
     try {
       const next = await server.site(id);
       if (id !== view.values.site) return;
@@ -146,6 +150,7 @@ export function mapPart(desk: Desk): HTMLElement {
 
   desk.onChange((changed) => {
     if (changed.has('site') || changed.has('forecast')) void load();
+    else if (changed.has('sites') && view.values.site === '') void load();
     else if (changed.has('server') && server.link.is === 'there' && site === null) void load();
     if (changed.has('map') || changed.has('place')) draw_soon();
     else if (!changed.has('panel')) draw_hour();
@@ -163,8 +168,8 @@ export function mapPart(desk: Desk): HTMLElement {
   return element(
     'div',
     { class: 'map' },
-    element('div', { class: 'map-tools' }, depth.node, where.node),
-    element('div', { class: 'map-view' }, picture, says, buttons, signs.node),
+    element('div', { class: 'map-tools' }, depth.node, where.node, buttons),
+    element('div', { class: 'map-view' }, picture, says, signs.node),
     table.node,
   );
 }

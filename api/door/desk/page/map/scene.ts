@@ -5,11 +5,12 @@ import { drawn } from '../look/element';
 import { is_known } from '../look/units';
 import type { SiteMap } from '../server/answers';
 import type { Place } from '../view';
-import { current_arrow, wave_arrow, wind_barb } from './arrows';
+import { beside_barbs_px, current_arrow, wave_arrow, wind_barb } from './arrows';
 import type { Weather } from './field';
 import { place_sign, turbine_sign, type Shown } from './legend';
 
 type Point = [number, number];
+const AREA_NAME_PX = 90;
 
 /** The things that do not change with the hour. */
 export function draw_things(
@@ -32,7 +33,8 @@ export function draw_things(
     const corners = ring.map((point) => to(point)).filter((point) => point !== null);
     const west = Math.min(...corners.map(([x]) => x));
     const north = Math.min(...corners.map(([, y]) => y));
-    if (names && corners.length > 0) made.push(text([west, north], 2, -6, name, 'name'));
+    const is_wide = Math.max(...corners.map(([x]) => x)) - west > AREA_NAME_PX;
+    if (names && is_wide) made.push(text([west, north], 2, -6, name, 'name'));
   }
   for (const { name, points } of site.cables) {
     const cable = drawn('path', { class: 'cable', d: line(points) });
@@ -54,6 +56,7 @@ export function draw_things(
 
 const LABELS_UP_TO = 12;
 const ARROWS_APART_PX = 46;
+const NAMES_APART_PX = 90;
 
 /** The things of the hour, at each column; barbs and wave arrows only where they have room. */
 export function draw_water(
@@ -70,14 +73,20 @@ export function draw_water(
   for (const column of site.columns) {
     const here = screen(to, column);
     const weather = weather_at(column);
-    const has_room = taken.every(
-      ([x, y]) => Math.hypot(x - here[0], y - here[1]) > ARROWS_APART_PX,
+    const apart_px = Math.min(
+      Infinity,
+      ...taken.map(([x, y]) => Math.hypot(x - here[0], y - here[1])),
     );
+    const has_room = apart_px > ARROWS_APART_PX;
     const signs: (SVGElement | null)[] = [];
     if (has_room) {
       taken.push(here);
       const is_south = column.latitude_deg < 0;
-      if (shown.waves) signs.push(wave_arrow(weather.wave_height_m, weather.wave_from_deg));
+      if (shown.waves) {
+        const wind_from = shown.wind ? weather.wind_from_deg : null;
+        const beside_px = beside_barbs_px(wind_from, weather.wave_from_deg, is_south);
+        signs.push(wave_arrow(weather.wave_height_m, weather.wave_from_deg, beside_px));
+      }
       if (shown.wind) signs.push(wind_barb(weather.wind_m_s, weather.wind_from_deg, is_south));
     }
     if (shown.current) signs.push(current_arrow(weather.current_m_s, weather.current_to_deg));
@@ -90,11 +99,18 @@ export function draw_water(
         drawn('title', {}, [column.name, ...lines_of(weather, shown, look)].join('\n')),
       ),
     );
-    if (!shown.names || !has_room) continue;
+    if (!shown.names || apart_px < NAMES_APART_PX) continue;
+    const lines = is_known(column.bed_m) ? [`bed ${look.metres(column.bed_m)}`] : [];
+    if (!with_labels) {
+      // On the side that the wind does not come from.
+      const from = weather.wind_from_deg ?? 0;
+      const down_px = from > 90 && from < 270 ? -12 : 22;
+      made.push(...lines.map((line) => text(here, 0, down_px, line, 'middle')));
+      continue;
+    }
     // Words stand to leeward, where no barb is.
     const is_left = (weather.wind_from_deg ?? 270) < 180;
-    const lines = is_known(column.bed_m) ? [`bed ${look.metres(column.bed_m)}`] : [];
-    if (with_labels) lines.push(...lines_of(weather, shown, look));
+    lines.push(...lines_of(weather, shown, look));
     lines.forEach((line, i) =>
       made.push(text(here, is_left ? -14 : 14, 18 + 16 * i, line, is_left ? 'end' : 'start')),
     );

@@ -46,7 +46,7 @@ function content({ look }: Desk, it: Shown, width_px: number): SVGElement[] {
   // North and east have the same scale: the wider side shows more, not larger.
   const high_px = HEIGHT_PX - MARGIN.top - MARGIN.bottom;
   const wide = (most * (width_px - MARGIN.left - MARGIN.right)) / high_px;
-  const every = nice_step(2 * Math.max(wide, most), 7);
+  const every = nice_step(2 * Math.max(wide, most), 9);
   const at = plot(
     width_px,
     HEIGHT_PX,
@@ -57,7 +57,7 @@ function content({ look }: Desk, it: Shown, width_px: number): SVGElement[] {
     at.x(number(level.east_m_s)),
     at.y(number(level.north_m_s)),
   ];
-  const named = new Set([known[0], known[known.length - 1], chosen]);
+  const named = with_names([chosen, known[0], known[known.length - 1]], point);
   const dots = known.flatMap((level) => {
     const [cx, cy] = point(level);
     const dot = drawn('circle', { class: 'east', cx, cy, r: level === chosen ? 5.5 : 3 });
@@ -70,6 +70,26 @@ function content({ look }: Desk, it: Shown, width_px: number): SVGElement[] {
     ...(chosen === null ? [] : [arrow([at.x(0), at.y(0)], point(chosen))]),
     ...dots,
   ];
+}
+
+const NAMES_APART_PX = 16;
+
+/** Of levels, the first most wanted: those whose names do not lie on one another. */
+function with_names(
+  levels: (Known | null | undefined)[],
+  point: (level: Known) => [number, number],
+): Set<Known> {
+  const named = new Set<Known>();
+  for (const level of levels) {
+    if (level === null || level === undefined) continue;
+    const [x, y] = point(level);
+    const is_free = [...named].every((other) => {
+      const [ox, oy] = point(other);
+      return Math.abs(oy - y) > NAMES_APART_PX || Math.abs(ox - x) > 3 * NAMES_APART_PX;
+    });
+    if (is_free) named.add(level);
+  }
+  return named;
 }
 
 /** The bands of both parts at the chosen depth. */

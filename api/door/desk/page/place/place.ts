@@ -3,6 +3,7 @@ import type { Desk } from '../look/desk';
 import { element, scroll_region, set_hidden, set_text } from '../look/element';
 import { hour_of } from '../look/hours';
 import type { Picture } from '../look/plot';
+import { words_of } from '../look/top';
 import { place_text } from '../look/units';
 import type { SiteMap } from '../server/answers';
 import { time_index, type Column } from '../server/coverage';
@@ -111,14 +112,19 @@ export function placePart(desk: Desk): HTMLElement {
     const place = view.values.place ?? site?.place;
     if (place === undefined) return;
     const name = site === null ? '' : name_of(site, place.longitude_deg, place.latitude_deg);
-    set_text(head, `${name}${place_text(place.longitude_deg, place.latitude_deg)}`);
+    const where = place_text(place.longitude_deg, place.latitude_deg);
+    set_text(head, name === '' ? where : `${name}: ${where}`);
   };
 
   let asked = 0;
   const load = async (): Promise<void> => {
     asked += 1;
     const mine = asked;
-    if (view.values.site === '') return;
+    if (view.values.site === '') {
+      set_text(says, words_of(desk));
+      show();
+      return;
+    }
     set_text(says, 'Asking the server …');
     try {
       site = await server.site(view.values.site);
@@ -141,6 +147,7 @@ export function placePart(desk: Desk): HTMLElement {
   desk.onChange((changed) => {
     if (changed.has('place') || changed.has('site') || changed.has('forecast')) void load();
     else if (changed.has('server') && server.link.is === 'there') void load();
+    else if (changed.has('sites') && view.values.site === '') set_text(says, words_of(desk));
     else if (['at_ms', 'speed', 'directions', 'sites'].some((key) => changed.has(key as 'at_ms'))) {
       show_hour();
     } else if (changed.has('depth_m')) {
@@ -170,6 +177,7 @@ function box_of(
 }
 
 function show_told(box: HTMLElement, refused: HTMLElement, told: Told | null): void {
+  if (box.parentElement !== null) set_hidden(box.parentElement, told === null);
   set_hidden(box, told === null || told.column === null);
   set_hidden(refused, told === null || told.refused === null);
   set_text(refused, told?.refused ?? '');
@@ -181,8 +189,9 @@ function name_of(site: SiteMap, longitude_deg: number, latitude_deg: number): st
     Math.hypot(at.longitude_deg - longitude_deg, at.latitude_deg - latitude_deg) < 2e-5;
   const turbine = site.turbines.find(is_here);
   const column = site.columns.find(is_here);
-  return (
-    (turbine === undefined ? '' : `Turbine ${turbine.id}, `) +
-    (column === undefined ? '' : `column ${column.name}, `)
-  );
+  const names = [
+    ...(turbine === undefined ? [] : [`Turbine ${turbine.id}`]),
+    ...(column === undefined ? [] : [`Column ${column.name}`]),
+  ];
+  return names.join(', ');
 }

@@ -103,10 +103,9 @@ function above_of(desk: Desk, it: Series, width_px: number): Option[] {
   const { above } = it;
   if (above === undefined) return [];
   const reach = { from_ms: it.times_ms[0] ?? 0, to_ms: it.times_ms[it.times_ms.length - 1] ?? 0 };
-  const every_h = width_px > 620 ? 6 : 12;
   const { ink } = colours();
   const inside_ms = 0.03 * (reach.to_ms - reach.from_ms); // free of the axes' own words
-  const ticks = time_ticks(reach, desk.look.zone, every_h).filter(
+  const ticks = time_ticks(reach, desk.look.zone, width_px - 100).filter(
     ({ at_ms }) => at_ms > reach.from_ms + inside_ms && at_ms < reach.to_ms - inside_ms,
   );
   return [

@@ -15,6 +15,7 @@ export interface Water {
 }
 
 export const NO_TIDE = 'No tide is served for this place.';
+const NO_TIDE_HERE: Told = { column: null, refused: NO_TIDE };
 const HEIGHT_M = 10;
 
 export async function fetch_water(
@@ -37,14 +38,9 @@ export async function fetch_water(
     ask('currents'),
     ask('wind', { z: heights.join() }),
     ask('waves'),
-    ask('sea-level'),
+    has_tide(server).then((is_there) => (is_there ? ask('sea-level') : NO_TIDE_HERE)),
   ]);
-  return {
-    currents,
-    wind,
-    waves,
-    tide: tide.column === null ? { ...tide, refused: NO_TIDE } : tide,
-  };
+  return { currents, wind, waves, tide };
 }
 
 async function told(server: Server, query: string): Promise<Told> {
@@ -55,5 +51,16 @@ async function told(server: Server, query: string): Promise<Told> {
   } catch (problem) {
     if (!(problem instanceof Refused)) throw problem;
     return { column: null, refused: problem.detail };
+  }
+}
+
+/** Not every server has a tide; asking for one that is not there would read as a fault. */
+async function has_tide(server: Server): Promise<boolean> {
+  try {
+    const { collections } = await server.get<{ collections: { id: string }[] }>('/collections');
+    return collections.some(({ id }) => id === 'sea-level');
+  } catch (problem) {
+    if (!(problem instanceof Refused)) throw problem;
+    return false;
   }
 }

@@ -74,7 +74,8 @@ export function time_index(column: Column, at_ms: number): number {
   const first = times_ms[0] ?? Infinity;
   const last = times_ms[times_ms.length - 1] ?? -Infinity;
   const step = times_ms.length > 1 ? (times_ms[1] ?? first) - first : 3_600_000;
-  if (at_ms < first - step / 2 || at_ms > last + step / 2) return -1;
+  // Written so that a moment that is not known is outside, too.
+  if (!(at_ms >= first - step / 2 && at_ms <= last + step / 2)) return -1;
   return times_ms.reduce(
     (best, time, i) =>
       Math.abs(time - at_ms) < Math.abs((times_ms[best] ?? 0) - at_ms) ? i : best,

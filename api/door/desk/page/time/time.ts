@@ -14,6 +14,7 @@ export function timePart(desk: Desk): HTMLElement {
     'aria-label': 'Hour of the forecast',
   });
   const scale = element('div', { class: 'time-scale', 'aria-hidden': 'true' });
+  const flags = element('div', { class: 'time-flags', 'aria-hidden': 'true' });
   const chosen = element('output', { class: 'time-chosen' });
   const words = element('p', { class: 'note time-words' });
   const step = (hours: number): void => {
@@ -35,19 +36,19 @@ export function timePart(desk: Desk): HTMLElement {
     slider.max = String(reach.to_ms / 1000);
     const share = (at_ms: number): number =>
       (at_ms - reach.from_ms) / (reach.to_ms - reach.from_ms);
-    const width_px = scale.clientWidth;
-    const every_h = width_px > 560 ? 6 : width_px > 360 ? 12 : 24;
-    const marks = time_ticks(reach, look.zone, every_h).map(({ at_ms, text, is_day }) =>
-      mark(is_day ? 'tick day' : 'tick', text, share(at_ms)),
+    const marks = time_ticks(reach, look.zone, scale.clientWidth - 22).map(
+      ({ at_ms, text, is_day }) => mark(is_day ? 'tick day' : 'tick', text, share(at_ms)),
     );
+    const raised: HTMLElement[] = [];
     const issued_ms = Date.parse(server.forecast(view.values.site)?.issued ?? '');
     const now_ms = server.now_ms();
     if (share(issued_ms) >= 0 && share(issued_ms) <= 1) {
-      marks.push(mark('flag issued', 'issued', share(issued_ms)));
+      raised.push(mark('flag issued', 'issued', share(issued_ms)));
     }
     if (share(now_ms) >= 0 && share(now_ms) <= 1)
-      marks.push(mark('flag now', 'now', share(now_ms)));
+      raised.push(mark('flag now', 'now', share(now_ms)));
     scale.replaceChildren(...marks);
+    flags.replaceChildren(...raised);
   };
   const show = (with_scale: boolean): void => {
     const forecast = server.forecast(view.values.site);
@@ -55,6 +56,7 @@ export function timePart(desk: Desk): HTMLElement {
     const at_ms = hour_of(desk);
     for (const each of [slider, ...buttons]) each.disabled = reach === null;
     set_hidden(scale, reach === null);
+    set_hidden(flags, reach === null);
     if (reach === null || at_ms === null || forecast === null) {
       set_text(chosen, 'No hour');
       set_text(words, 'There is no forecast to move in.');
@@ -81,7 +83,7 @@ export function timePart(desk: Desk): HTMLElement {
     'div',
     { class: 'time' },
     element('div', { class: 'time-says' }, chosen, words),
-    element('div', { class: 'time-slides' }, scale, slider),
+    element('div', { class: 'time-slides' }, flags, slider, scale),
     element('div', { class: 'time-steps', role: 'group', 'aria-label': 'Step' }, ...buttons),
   );
 }
