@@ -6,52 +6,41 @@ import type { SiteInSites } from '../server/answers';
 import { Refused } from '../server/server';
 import type { Answer } from './answer';
 import type { Report } from './answers';
-import {
-  STATUS_TEXT,
-  advice_of,
-  counts_text,
-  worst_first,
-  type BoardReport,
-  type BoardSite,
-} from './board_order';
+import { STATUS_TEXT, advice_of, counts_text, worst_first, type BoardReport } from './board_order';
 import { OneByOne } from './one_by_one';
 import { verdict_badge } from './verdict_badge';
 
 const MANY_SITES = 12;
-const HEADS = ['Site', 'Today', 'Next day', 'Forecast', 'What it says'];
+const HEADS = ['Site', 'Today', 'Next day', 'Forecast'];
 
 interface Row {
   site: SiteInSites;
   report: BoardReport;
   answer: Answer<Report> | null;
-  node: HTMLTableRowElement;
+  node: HTMLTableSectionElement;
 }
 
 export class Board {
   readonly node = element('section', { class: 'board' });
   private readonly rows = new Map<string, Row>();
-  private readonly body = element('tbody');
-  private readonly counts = element('p', { class: 'counts' });
+  private readonly table = element('table');
+  private readonly details = element('details');
+  private readonly counts = element('span', { class: 'counts' });
   private readonly search = element('input', { type: 'search', 'aria-label': 'Find a site' });
   private readonly reports: OneByOne<string>;
 
   constructor(private readonly desk: Desk) {
     this.reports = new OneByOne((id) => this.ask(id));
     const heads = HEADS.map((head) => element('th', { scope: 'col' }, head));
-    const table = element(
-      'table',
-      {},
-      element('thead', {}, element('tr', {}, ...heads)),
-      this.body,
-    );
+    this.table.append(element('thead', {}, element('tr', {}, ...heads)));
     this.search.placeholder = 'Find a site';
     this.search.addEventListener('input', () => this.filter());
-    this.node.append(
-      element('h3', {}, 'All sites, the worst first'),
-      this.counts,
-      this.search,
-      scroll_region('All sites', table),
-    );
+    // Closed it costs nothing: reports are asked for once somebody looks.
+    const summary = element('summary', {}, 'All sites: ', this.counts);
+    const list = scroll_region('All sites', this.table);
+    this.details.append(summary, this.search, list);
+    this.details.addEventListener('toggle', () => this.want());
+    this.node.append(this.details);
     // Rows do not move under a pointer or a focus; they are put in order once it has left.
     for (const left of ['pointerleave', 'focusout']) {
       this.node.addEventListener(left, () => this.order());
@@ -71,7 +60,6 @@ export class Board {
       if (!is_same) {
         row.report = { is: 'waiting' };
         row.answer = null;
-        this.reports.add([site.id]);
       }
       this.draw(row);
     }
@@ -83,10 +71,20 @@ export class Board {
     set_hidden(this.search, sites.length < MANY_SITES);
     this.order();
     this.filter();
+    this.want();
+  }
+
+  /** Asks for the reports that nobody has asked for yet, the worst sites first. */
+  private want(): void {
+    if (!this.details.open) return;
+    const all = worst_first([...this.rows.values()]);
+    this.reports.add(
+      all.filter(({ report }) => report.is === 'waiting').map(({ site }) => site.id),
+    );
   }
 
   private new_row(site: SiteInSites): Row {
-    const node = element('tr');
+    const node = element('tbody');
     const row: Row = { site, report: { is: 'waiting' }, answer: null, node };
     this.rows.set(site.id, row);
     return row;
@@ -125,35 +123,44 @@ export class Board {
     };
     const age = site.forecast?.age_s;
     const advice = advice_of(site);
+    const words = [
+      ...(site.status === 'ok' ? [] : [element('p', {}, site.in_words)]),
+      ...(advice === '' ? [] : [element('p', { class: 'advice' }, advice)]),
+      ...(report.is === 'refused' ? [element('p', { class: 'refused' }, report.why)] : []),
+      ...(report.is === 'there' ? [element('p', { class: 'headline' }, report.headline)] : []),
+    ];
     node.replaceChildren(
-      element('th', { scope: 'row' }, open),
-      element('td', {}, verdict('today.verdict')),
-      element('td', {}, verdict('verdict')),
       element(
-        'td',
-        { class: 'age' },
-        element('span', { class: 'status', 'data-status': site.status }, STATUS_TEXT[site.status]),
-        is_known(age) ? ` ${span_text(age)} old` : '',
-      ),
-      element(
-        'td',
+        'tr',
         {},
-        ...(site.status === 'ok' ? [] : [element('p', {}, site.in_words)]),
-        ...(advice === '' ? [] : [element('p', { class: 'advice' }, advice)]),
-        ...(report.is === 'refused' ? [element('p', { class: 'refused' }, report.why)] : []),
-        ...(report.is === 'there' ? [element('p', { class: 'headline' }, report.headline)] : []),
+        element('th', { scope: 'row' }, open),
+        element('td', {}, verdict('today.verdict')),
+        element('td', {}, verdict('verdict')),
+        element(
+          'td',
+          { class: 'age' },
+          element(
+            'span',
+            { class: 'status', 'data-status': site.status },
+            STATUS_TEXT[site.status],
+          ),
+          is_known(age) ? ` ${span_text(age)} old` : '',
+        ),
       ),
     );
+    if (words.length > 0) {
+      const cell = element('td', { colspan: HEADS.length }, ...words);
+      node.append(element('tr', {}, cell));
+    }
     if (focused) open.focus();
   }
 
   private order(): void {
     if (this.node.matches(':hover') || this.node.contains(document.activeElement)) return;
-    const wanted = worst_first([...this.rows.values()] as BoardSite[]) as unknown as Row[];
-    wanted.forEach((row, i) => {
-      if (this.body.children[i] !== row.node) {
-        this.body.insertBefore(row.node, this.body.children[i] ?? null);
-      }
+    worst_first([...this.rows.values()]).forEach(({ node }, i) => {
+      // The head of the table stands first.
+      const there = this.table.children[i + 1] ?? null;
+      if (there !== node) this.table.insertBefore(node, there);
     });
   }
 

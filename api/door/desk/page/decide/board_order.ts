@@ -23,7 +23,7 @@ function verdict_rank(report: BoardReport): number {
   return VERDICT.indexOf(report.today ?? report.next);
 }
 
-export function worst_first(sites: readonly BoardSite[]): BoardSite[] {
+export function worst_first<T extends BoardSite>(sites: readonly T[]): T[] {
   return [...sites].sort(
     (a, b) =>
       STATUS.indexOf(a.site.status) - STATUS.indexOf(b.site.status) ||

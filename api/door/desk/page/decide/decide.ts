@@ -16,6 +16,7 @@ import { windows_gantt, type Gantt } from './windows_gantt';
 import { yesterday } from './yesterday';
 
 const DAY_MS = 86_400_000;
+const LEAST_WAIT_MS = 600_000;
 const SCORED_DAYS = 7; // the newest forecasts with truth lie among these
 
 type Shown = 'today' | 'next';
@@ -32,10 +33,14 @@ class Decide {
   private readonly source = new Section('Where this is from', 'source-section');
   private readonly gantts = new Map<string, Gantt>();
   private shown: Shown = 'today';
+  private is_drawn = false;
+  private report: Promise<Answer<Report>> | null = null;
+  private again_ms = Infinity; // when the report is to be asked again
 
   constructor(private readonly desk: Desk) {
     this.board = new Board(desk);
     this.node.append(
+      this.board.node,
       this.now.node,
       this.trust.node,
       this.starts.node,
@@ -43,17 +48,37 @@ class Decide {
       this.before.node,
       this.decided.node,
       this.source.node,
-      this.board.node,
     );
     desk.onChange((changed) => {
-      if (changed.has('sites') || changed.has('site')) this.board.show(changed.has('forecast'));
+      if (changed.has('sites') || changed.has('site')) this.board.show(false);
       if (changed.has('forecast')) this.board.show(true);
-      const looks = changed.has('clock') || changed.has('speed') || changed.has('directions');
-      if (changed.has('site') || changed.has('forecast') || looks) this.redraw();
-      if (changed.has('at_ms')) this.mark_hour();
+      const keys = ['clock', 'speed', 'directions'] as const;
+      const is_first = changed.has('sites') && !this.is_drawn;
+      const anew = changed.has('site') || changed.has('forecast') || this.is_past();
+      if (is_first || anew || keys.some((key) => changed.has(key))) this.redraw(anew);
+      if (changed.has('at_ms') || changed.has('sites')) this.mark_hour();
     });
     if (desk.server.sites !== null) this.board.show(false);
-    this.redraw();
+    this.redraw(true);
+  }
+
+  /** Not the kept answer: its hours of today go on with the clock. */
+  private asked_anew(site: string): Promise<Answer<Report>> {
+    const { server } = this.desk;
+    const from = `/sites/${encodeURIComponent(site)}/report`;
+    this.again_ms = Infinity;
+    const asked = server.fresh<Report>(from).then((body) => {
+      const begin = body.today === null ? Infinity : Date.parse(body.today.from);
+      this.again_ms = Math.max(begin, server.now_ms() + LEAST_WAIT_MS);
+      return { from, body };
+    });
+    asked.catch(() => undefined); // each section tells it
+    return asked;
+  }
+
+  /** Whether the hours that were left have gone on by a start. */
+  private is_past(): boolean {
+    return this.desk.server.now_ms() > this.again_ms;
   }
 
   private get<T>(path: string): Promise<Answer<T>> {
@@ -62,15 +87,18 @@ class Decide {
     return this.desk.server.get<T>(from).then((body) => ({ from, body }));
   }
 
-  private redraw(): void {
+  private redraw(anew: boolean): void {
     const { site } = this.desk.view.values;
+    const { look, server } = this.desk;
+    if (server.sites === null) return;
+    this.is_drawn = true;
     if (site === '') {
       this.now.say('There is no site to show yet.');
       return;
     }
-    const { look, server } = this.desk;
     const in_force = server.forecast(site);
-    const report = this.get<Report>('/report');
+    if (anew || this.report === null) this.report = this.asked_anew(site);
+    const { report } = this;
     const zone = look.zone;
     void this.now.show(report.then((it) => days(it, zone, this.why_no_today())));
     void this.trust.show(report.then((it) => trust_line(it, look)));
@@ -110,6 +138,7 @@ class Decide {
     const show = async (which: Shown): Promise<void> => {
       this.shown = which;
       tabs.show(which);
+      at.replaceChildren(element('p', { class: 'waiting' }, 'Asking the server …'));
       const hours = which === 'today' && today !== null ? `?from=${today.from}&to=${today.to}` : '';
       try {
         const answer = await this.get<Windows>(`/windows${hours}`);

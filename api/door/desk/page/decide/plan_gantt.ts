@@ -27,7 +27,7 @@ export function plan_gantt(answer: Answer<unknown>, key: string, plan: Plan, zon
     );
     let group = '';
     for (const row of rows) {
-      if (row.group !== group) node.append(element('h4', {}, row.group));
+      if (row.group !== group) node.append(element('h3', {}, row.group));
       group = row.group;
       const { line, svg } = drawn_row(answer, key, row, axis, zone);
       hours.push(line);
@@ -139,6 +139,6 @@ function ending(node: HTMLElement, plan: Plan): HTMLElement {
   const lines = plan.left.map(({ job, priority, why }) =>
     element('li', {}, element('strong', {}, job), ` (priority ${priority}): ${why}`),
   );
-  node.append(element('h4', {}, 'Left out'), element('ul', { class: 'left' }, ...lines));
+  node.append(element('h3', {}, 'Left out'), element('ul', { class: 'left' }, ...lines));
   return node;
 }

@@ -26,7 +26,7 @@ export function provenance(
   );
   line('Says of itself', told(answer, 'forecast.headline', same));
   line('Futures', told(answer, 'futures', String));
-  const node = element('div', { class: 'provenance' }, list, element('h4', {}, 'Inputs'));
+  const node = element('div', { class: 'provenance' }, list, element('h3', {}, 'Inputs'));
   if (typeof sources === 'string') {
     node.append(element('p', { class: 'note' }, sources));
     return node;

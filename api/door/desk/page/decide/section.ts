@@ -13,7 +13,7 @@ export class Section {
   private asked = 0;
 
   constructor(title: string, name: string) {
-    const head = element('h3', { id: `decide-${name}` }, title);
+    const head = element('h2', { id: `decide-${name}` }, title);
     this.node = element('section', { class: name, 'aria-labelledby': head.id }, head, this.body);
   }
 

@@ -52,7 +52,11 @@ export function start_detail(
     lines.push(['Counts as', told(answer, `${key}.worth`, chance_text)]);
   }
   lines.push([
-    start.binding?.exceeded ? 'What stops it' : 'Nearest to its limit',
+    !start.binding?.exceeded
+      ? 'Nearest to its limit'
+      : start.worth >= answer.body.rules.marginal
+        ? 'Main limit'
+        : 'What stops it',
     element('span', told_by(answer, `${key}.binding.limit`), binding_text(start, zone)),
   ]);
   lines.push(['The central forecast alone', allowed_text(start.threshold, null)]);

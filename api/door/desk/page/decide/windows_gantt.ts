@@ -26,7 +26,8 @@ export function windows_gantt(
   const hours: SVGLineElement[] = [];
   if (windows.tasks.length === 0) node.append(element('p', {}, 'No task could be worked out.'));
   else node.append(legend(windows), clock_above(axis, zone));
-  windows.tasks.forEach((task, t) => {
+  for (const t of best_first(windows.tasks)) {
+    const task = windows.tasks[t] as WindowsTask;
     const row = windows_row(answer, t, axis, zone);
     const detail = element('div', { class: 'detail' });
     hours.push(row.slider_hour);
@@ -42,18 +43,29 @@ export function windows_gantt(
       element(
         'div',
         { class: 'task-row' },
-        element('h4', { class: 'task-name' }, task.name, badge(task)),
+        element('h3', { class: 'task-name' }, task.name, badge(task)),
         row.svg,
         detail,
       ),
     );
-  });
+  }
   if (windows.tasks.length > 0) node.append(windows_tables(answer, zone));
   for (const { task, why } of windows.left_out) {
     node.append(element('p', { class: 'left-out' }, `${task} could not be worked out: ${why}`));
   }
   for (const note of windows.notes) node.append(element('p', { class: 'note' }, note));
   return { node, at: (at_ms) => hours.forEach((line) => move_hour_line(line, axis, at_ms)) };
+}
+
+/** As the list of the days: what can be done first. */
+function best_first(tasks: readonly WindowsTask[]): number[] {
+  const verdicts = ['go', 'marginal', 'no-go'];
+  const worth = (task: WindowsTask | undefined): number =>
+    Math.max(0, ...(task?.starts ?? []).map((start) => start.worth));
+  const rank = (task: WindowsTask | undefined): number => verdicts.indexOf(task?.verdict ?? '');
+  return tasks
+    .map((_, t) => t)
+    .sort((a, b) => rank(tasks[a]) - rank(tasks[b]) || worth(tasks[b]) - worth(tasks[a]));
 }
 
 function badge(task: WindowsTask): HTMLElement {

@@ -8,10 +8,8 @@ import { hour_line, tick_lines } from './axis_drawing';
 import { binding_text, chance_text, interval_text } from './words';
 
 const TOP = 14; // the numbers stand here
-const COLUMN = 40;
-const THRESHOLD_Y = TOP + COLUMN + 4;
-const ALPHA_Y = THRESHOLD_Y + 8;
-export const ROW_HEIGHT = ALPHA_Y + 8;
+const FULL = 40; // a column of 100 %
+const SHORT = 8; // of a row without a start worth a number
 
 export interface WindowsRow {
   svg: SVGSVGElement;
@@ -21,6 +19,12 @@ export interface WindowsRow {
 
 /** Below this a number only blurs the picture. */
 const LEAST_TOLD = 0.1;
+
+/** How high a row's parts lie. A row that has hardly a chance takes little room. */
+function heights_of({ starts }: WindowsTask): { column: number; threshold: number; alpha: number } {
+  const column = starts.some(({ worth }) => worth >= LEAST_TOLD) ? FULL : SHORT;
+  return { column, threshold: TOP + column + 4, alpha: TOP + column + 12 };
+}
 
 export function fill_of(worth: number, rules: Windows['rules']): 'go' | 'marginal' | 'low' {
   if (worth >= rules.go) return 'go';
@@ -44,9 +48,11 @@ export function windows_row(
   const task = answer.body.tasks[t] as WindowsTask;
   const every_ms = answer.body.every_min * 60_000;
   const width = axis.width(every_ms);
+  const { column, threshold, alpha } = heights_of(task);
+  const row_height = alpha + 8;
   const svg = drawn('svg', {
     class: 'starts',
-    height: ROW_HEIGHT,
+    height: row_height,
     width: '100%',
     role: 'slider',
     tabindex: 0,
@@ -55,20 +61,20 @@ export function windows_row(
     'aria-valuemax': Math.max(0, task.starts.length - 1),
   });
   svg.append(
-    ...tick_lines(axis, zone, ROW_HEIGHT),
-    drawn('line', { class: 'base', x1: 0, x2: '100%', y1: TOP + COLUMN, y2: TOP + COLUMN }),
+    ...tick_lines(axis, zone, row_height),
+    drawn('line', { class: 'base', x1: 0, x2: '100%', y1: TOP + column, y2: TOP + column }),
   );
   const always = new Set(task.windows.map(({ best }) => best));
   task.starts.forEach((start, s) => {
     const at_ms = Date.parse(start.start);
     const x = axis.x(at_ms);
     if (start.forbidden !== null) {
-      svg.append(drawn('rect', { class: 'closed', x, y: TOP, width, height: COLUMN }));
+      svg.append(drawn('rect', { class: 'closed', x, y: TOP, width, height: column }));
       return;
     }
     // Never quite flat: a start is there, and has hardly a chance.
-    const height = Math.max(1, COLUMN * start.worth);
-    const y = TOP + COLUMN - height;
+    const height = Math.max(1, FULL * start.worth);
+    const y = TOP + column - height;
     const fill = fill_of(start.worth, answer.body.rules);
     const hatched: Record<string, string> = fill === 'marginal' ? { fill: 'url(#desk-hatch)' } : {};
     const told = told_by(answer, `tasks.${t}.starts.${s}.worth`);
@@ -79,13 +85,19 @@ export function windows_row(
     const when = always.has(start.start) ? 'number always' : 'number';
     svg.append(drawn('text', { class: when, ...at }, number));
   });
+  const most = Math.max(0, ...task.starts.map(({ worth }) => worth));
+  if (column === SHORT) {
+    const text =
+      task.starts.length === 0 ? 'no start' : `no start has more than ${chance_text(most)}`;
+    svg.append(drawn('text', { class: 'none', x: 4, y: TOP + column - 5 }, text));
+  }
   svg.append(
-    ...bars(task.windows_by_threshold, 'threshold', THRESHOLD_Y, axis, every_ms),
-    ...bars(task.windows_by_alpha ?? [], 'alpha', ALPHA_Y, axis, every_ms),
+    ...bars(task.windows_by_threshold, 'threshold', threshold, axis, every_ms),
+    ...bars(task.windows_by_alpha ?? [], 'alpha', alpha, axis, every_ms),
   );
-  const selected = drawn('rect', { class: 'chosen', y: TOP - 12, height: COLUMN + 14, width });
+  const selected = drawn('rect', { class: 'chosen', y: TOP - 12, height: column + 14, width });
   selected.setAttribute('visibility', 'hidden');
-  const slider_hour = hour_line(ROW_HEIGHT);
+  const slider_hour = hour_line(row_height);
   svg.append(selected, slider_hour);
 
   let named = -1;

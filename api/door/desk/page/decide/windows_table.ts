@@ -35,6 +35,6 @@ function windows_table(
     ];
   });
   const heads = ['Start', 'Chance', '95 % interval', 'Central forecast', 'Alpha', 'What binds'];
-  const title = element('h4', {}, task.name);
+  const title = element('h3', {}, task.name);
   return element('div', {}, title, scroll_region(`Starts of ${task.name}`, table_of(heads, rows)));
 }

@@ -26,7 +26,7 @@ export function yesterday(answer: Answer<Score[]>, look: Look): HTMLElement {
     const days = lead_days(answer.body, variable);
     if (days.length === 0) continue;
     node.append(
-      element('h4', {}, `${name}: root mean square error`),
+      element('h3', {}, `${name}: root mean square error`),
       scroll_region(`${name}: errors by lead`, lead_table(answer, days, look)),
       element('p', { class: 'note' }, `Held against ${truths(days)}.`),
     );

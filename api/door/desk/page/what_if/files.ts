@@ -30,7 +30,10 @@ export function command_lines(
     .join('');
   const windows = `slackwater windows --site ${at}${task_options}${options}`;
   if (changed.plan === undefined) return [windows];
-  return [windows, `${windows} --json | slackwater plan plan_${site}.yaml --windows -`];
+  // With changed sheets the plan's own file has to name them.
+  const sheets = Object.keys(changed.tasks ?? {}).map((id) => `task: ${id}.yaml`);
+  const note = sheets.length === 0 ? '' : `   # write in it: ${sheets.join(', ')}`;
+  return [windows, `slackwater plan plan_${site}.yaml${note}`];
 }
 
 export function save(file: ChangedFile): void {

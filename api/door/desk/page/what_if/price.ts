@@ -30,8 +30,9 @@ export function workability_query(
   duration_h: number,
   contingency_h: number,
 ): string {
-  const query = new URLSearchParams({ limit, duration: `${duration_h}h` });
-  if (contingency_h > 0) query.set('contingency', `${contingency_h}h`);
+  const minutes = (hours: number): string => `${Math.round(60 * hours)}min`;
+  const query = new URLSearchParams({ limit, duration: minutes(duration_h) });
+  if (contingency_h > 0) query.set('contingency', minutes(contingency_h));
   return `/workability?${query.toString()}`;
 }
 

@@ -5,6 +5,7 @@ import type { Plan, Windows } from '../decide/answers';
 import { Section, refusal_text } from '../decide/section';
 import type { Desk } from '../look/desk';
 import { button, element } from '../look/element';
+import { Refused } from '../server/server';
 import { Draft, type Texts } from './draft';
 import { fields } from './fields';
 import { changed_files, command_lines, save } from './files';
@@ -161,8 +162,11 @@ class WhatIfPanel {
       ]);
       return price_table(a, b, [`${name} ${was} ${unit}`, `${name} ${is} ${unit}`]);
     } catch (problem) {
-      const why = refusal_text(problem);
-      return element('p', {}, `The site has no history that tells the price of this limit: ${why}`);
+      const is_absent = problem instanceof Refused && [404, 501, 503].includes(problem.status);
+      const what = is_absent
+        ? 'The site has no history that tells the price of this limit'
+        : 'The price could not be worked out';
+      return element('p', {}, `${what}: ${refusal_text(problem)}`);
     }
   }
 
