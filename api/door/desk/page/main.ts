@@ -12,7 +12,7 @@ import { mapPart } from './map/map';
 import { placePart } from './place/place';
 import { Server } from './server/server';
 import { timePart } from './time/time';
-import { first_view, hash_of, read_hash, View } from './view';
+import { KEPT, first_view, hash_of, read_hash, View } from './view';
 import { whatIfPart } from './what_if/what_if';
 
 by_id('built-without').remove();
@@ -41,20 +41,20 @@ desk.onChange((changed) => {
 by_id('top').append(topPart(desk));
 by_id('map').append(mapPart(desk));
 by_id('time').append(timePart(desk));
-new Tabs(desk, by_id('panel'), [
+new Tabs(desk, by_id('tabs'), by_id('panel'), [
   ['decide', 'Decide', decidePart],
   ['place', 'Water at the place', placePart],
   ['what_if', 'What if', whatIfPart],
 ]);
-for (const id of ['map', 'time', 'panel']) by_id(id).hidden = false;
+for (const id of ['tabs', 'map', 'time', 'panel']) by_id(id).hidden = false;
 by_id('skip').addEventListener('click', (event) => {
   event.preventDefault(); // the address is the view's
   by_id('panel').focus();
 });
 
 let writing = 0;
-desk.onChange(() => {
-  keep_looks(view.values);
+desk.onChange((changed) => {
+  if (KEPT.some((key) => changed.has(key))) keep_looks(view.values);
   clearTimeout(writing);
   writing = window.setTimeout(() => {
     const hash = hash_of(view.values);

@@ -37,17 +37,17 @@ export interface Tick {
   is_day: boolean; // midnight in the zone
 }
 
-const DAY_PX = 96; // of "Thu 13 Mar", with room
+const DAY_PX = 62; // of "Thu 13", with room
 const HOUR_PX = 28;
 
 /** Ticks at the zone's 00, 06, 12 and 18 o'clock, as far as their words have room; days first. */
-export function time_ticks(reach: Reach, zone: string, width_px: number): Tick[] {
+export function time_ticks(reach: Reach, zone: string, width_px: number, day_px = DAY_PX): Tick[] {
   const px_per_ms = width_px / (reach.to_ms - reach.from_ms);
   const kept: (Tick & { from_px: number; to_px: number })[] = [];
   const all = all_ticks(reach, zone, width_px > 560 ? 6 : 12);
   for (const is_day of [true, false]) {
     for (const tick of all.filter((one) => one.is_day === is_day)) {
-      const wide = is_day ? DAY_PX : HOUR_PX;
+      const wide = is_day ? day_px : HOUR_PX;
       const middle = (tick.at_ms - reach.from_ms) * px_per_ms;
       // At the ends the words stand inside.
       const from_px = Math.min(width_px - wide, Math.max(0, middle - wide / 2));
@@ -67,7 +67,7 @@ function all_ticks(reach: Reach, zone: string, every_h: number): Tick[] {
     const hour = hour_text(at_ms, zone);
     const is_day = hour === '00:00';
     if (Number(hour.slice(0, 2)) % every_h !== 0 || hour.slice(3) !== '00') continue;
-    ticks.push({ at_ms, text: is_day ? day_text(at_ms, zone) : hour.slice(0, 2), is_day });
+    ticks.push({ at_ms, text: is_day ? day_text(at_ms, zone, false) : hour.slice(0, 2), is_day });
   }
   return ticks;
 }

@@ -1,5 +1,5 @@
-// A plot in SVG, for what is drawn anew at each step of the slider: a few paths, and its colours are
-// the style sheet's.
+// A plot in SVG, for what is drawn anew at each step of the slider: a few paths, coloured by the
+// style sheet.
 import { drawn, element } from './element';
 
 export interface Scale {

@@ -11,11 +11,12 @@ export class Tabs {
 
   constructor(
     private readonly desk: Desk,
-    at: HTMLElement,
+    bar: HTMLElement,
+    private readonly panel: HTMLElement,
     private readonly panels: readonly (readonly [Panel, string, Made])[],
   ) {
     const list = element('div', { class: 'tabs', role: 'tablist', 'aria-label': 'Panels' });
-    at.append(list);
+    bar.append(list);
     for (const [panel, title] of panels) {
       const tab = button(title, () => desk.view.set({ panel }), {
         role: 'tab',
@@ -31,7 +32,7 @@ export class Tabs {
       this.tabs.push(tab);
       this.boxes.push(box);
       list.append(tab);
-      at.append(box);
+      this.panel.append(box);
     }
     list.addEventListener('keydown', (event) => this.step(event));
     desk.onChange((changed) => {
@@ -41,12 +42,16 @@ export class Tabs {
   }
 
   private show(): void {
-    this.panels.forEach(([panel, , made], i) => {
+    // Where there is little room the map is shown with the place alone.
+    document.body.dataset.panel = this.desk.view.values.panel;
+    this.panels.forEach(([panel, title, made], i) => {
       const is_shown = panel === this.desk.view.values.panel;
       const box = this.boxes[i];
       const tab = this.tabs[i];
       if (box === undefined || tab === undefined) return;
-      if (is_shown && box.childElementCount === 0) box.append(made(this.desk));
+      if (is_shown && box.childElementCount === 0) {
+        box.append(element('h2', { class: 'unseen' }, title), made(this.desk));
+      }
       set_hidden(box, !is_shown);
       tab.setAttribute('aria-selected', String(is_shown));
       tab.tabIndex = is_shown ? 0 : -1;

@@ -95,6 +95,7 @@ const STATUS = {
   stale: 'Old forecast',
   hindcast: 'Of a past day',
   unreadable: 'Cannot be read',
+  no_forecast: 'No forecast',
 } as const;
 
 /** What stands in place of a forecast, and what to do. */

@@ -70,10 +70,10 @@ export function hour_text(utc_ms: Maybe, zone: string): string {
   return `${hour}:${minute}`;
 }
 
-export function day_text(utc_ms: Maybe, zone: string): string {
+export function day_text(utc_ms: Maybe, zone: string, with_month = true): string {
   if (!is_known(utc_ms)) return NOT_KNOWN;
   const { weekday, day, month } = time_parts(utc_ms, zone);
-  return `${weekday} ${day} ${month}`;
+  return with_month ? `${weekday} ${day} ${month}` : `${weekday} ${day}`;
 }
 
 export function time_text(utc_ms: Maybe, zone: string): string {

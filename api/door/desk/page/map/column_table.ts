@@ -38,7 +38,7 @@ export function column_table(
         return element(
           'tr',
           {},
-          element('th', { scope: 'row' }, column.name),
+          element('th', { scope: 'row' }, column.location),
           ...cells.map((text) => element('td', {}, text)),
         );
       }),

@@ -38,7 +38,7 @@ export function legend(
     element(
       'p',
       { class: 'note' },
-      'Keys on the map: arrows move, + and − zoom, 0 shows all, Enter takes the place in the middle.',
+      'Keys on the map: arrows move, + and − zoom, 0 shows all, Enter takes the middle.',
     ),
   );
   const say = (depth_m: number | null): void => {

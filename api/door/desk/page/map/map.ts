@@ -56,26 +56,20 @@ export function mapPart(desk: Desk): HTMLElement {
     if (site === null || size.width < 2) return;
     const to = projection_of(camera(), size);
     draw_water(water, site, to, shown, look, weather);
-    signs.say(weather(site.columns[0] ?? site.place).current_depth_m);
+    signs.say(
+      weather(site.columns[0] ?? { longitude_deg: NaN, latitude_deg: NaN }).current_depth_m,
+    );
     table.show();
   };
   const draw = (): void => {
     if (size.width < 2) return;
     const from = camera();
     const to = projection_of(from, size);
-    const west_north = place_at(from, size, 0, 0);
-    const east_south = place_at(from, size, size.width, size.height);
-    coast.setAttribute(
-      'd',
-      coast_path(
-        to,
-        west_north.longitude_deg,
-        east_south.latitude_deg,
-        east_south.longitude_deg,
-        west_north.latitude_deg,
-      ),
-    );
-    if (site !== null) draw_things(things, site, to, shown.names);
+    const { longitude_deg: west, latitude_deg: north } = place_at(from, size, 0, 0);
+    const corner = place_at(from, size, size.width, size.height);
+    const box = { west, north, east: corner.longitude_deg, south: corner.latitude_deg };
+    coast.setAttribute('d', coast_path(to, box));
+    if (site !== null) draw_things(things, site, to, shown.names, look);
     draw_place(place, view.values.place ?? site?.place ?? null, to);
     aim.setAttribute('transform', `translate(${size.width / 2} ${size.height / 2})`);
     draw_bar(bar, from, size.height);
@@ -91,6 +85,14 @@ export function mapPart(desk: Desk): HTMLElement {
     set_hidden(says, words === '');
   };
 
+  const load_coast = async (): Promise<void> => {
+    try {
+      await fetch_coast(server);
+      draw();
+    } catch (problem) {
+      if (!(problem instanceof Refused)) throw problem; // a map without coast shows the site
+    }
+  };
   const load = async (): Promise<void> => {
     const id = view.values.site;
     if (id === '') {
@@ -112,14 +114,7 @@ export function mapPart(desk: Desk): HTMLElement {
       say(`The map has no data: ${problem.detail}`);
     }
     draw();
-  };
-  const load_coast = async (): Promise<void> => {
-    try {
-      await fetch_coast(server);
-      draw();
-    } catch (problem) {
-      if (!(problem instanceof Refused)) throw problem; // a map without coast shows the site
-    }
+    void load_coast(); // last: it weighs more than all the rest
   };
 
   listen_to_hands(picture, {
@@ -162,8 +157,6 @@ export function mapPart(desk: Desk): HTMLElement {
     draw();
   }).observe(picture);
   void load();
-  // After the first picture: the coast weighs more than all the rest.
-  setTimeout(() => void load_coast(), 0);
 
   return element(
     'div',
@@ -175,16 +168,16 @@ export function mapPart(desk: Desk): HTMLElement {
 }
 
 function places_of(site: SiteMap | null, place: Place | null): Place[] {
-  if (site === null) return [place ?? { longitude_deg: 0, latitude_deg: 50 }];
   const of_points = (points: [number, number][]): Place[] =>
     points.map(([longitude_deg, latitude_deg]) => ({ longitude_deg, latitude_deg }));
-  return [
-    site.place,
-    ...site.columns,
-    ...site.turbines,
-    ...site.cables.flatMap(({ points }) => of_points(points)),
-    ...site.areas.flatMap(({ ring }) => of_points(ring)),
+  const places = [
+    ...(site === null || site.place === null ? [] : [site.place]),
+    ...(site?.columns ?? []),
+    ...(site?.turbines ?? []),
+    ...(site?.cables ?? []).flatMap(({ points }) => of_points(points)),
+    ...(site?.areas ?? []).flatMap(({ ring }) => of_points(ring)),
   ];
+  return places.length > 0 ? places : [place ?? { longitude_deg: 0, latitude_deg: 50 }];
 }
 
 function draw_bar(at: SVGGElement, camera: Camera, height: number): void {

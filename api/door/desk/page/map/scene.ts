@@ -3,7 +3,7 @@ import type { GeoProjection } from 'd3-geo';
 import type { Look } from '../look/look';
 import { drawn } from '../look/element';
 import { is_known } from '../look/units';
-import type { SiteMap } from '../server/answers';
+import type { Area, SiteMap } from '../server/answers';
 import type { Place } from '../view';
 import { beside_barbs_px, current_arrow, wave_arrow, wind_barb } from './arrows';
 import type { Weather } from './field';
@@ -18,6 +18,7 @@ export function draw_things(
   site: SiteMap,
   to: GeoProjection,
   names: boolean,
+  look: Look,
 ): void {
   const line = (points: Point[]): string =>
     points
@@ -26,19 +27,20 @@ export function draw_things(
       .map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${x.toFixed(1)},${y.toFixed(1)}`)
       .join('');
   const made: SVGElement[] = [];
-  for (const { name, kind, ring, note } of site.areas) {
-    const area = drawn('path', { class: 'area', d: `${line(ring)}Z` });
-    area.append(drawn('title', {}, `${name} (${kind}) ${note}`));
-    made.push(area);
-    const corners = ring.map((point) => to(point)).filter((point) => point !== null);
+  for (const area of site.areas) {
+    const shape = drawn('path', { class: `area ${area.kind}`, d: `${line(area.ring)}Z` });
+    const words = area_words(area, look);
+    shape.append(drawn('title', {}, `${words}\n${area.reason}`));
+    made.push(shape);
+    const corners = area.ring.map((point) => to(point)).filter((point) => point !== null);
     const west = Math.min(...corners.map(([x]) => x));
     const north = Math.min(...corners.map(([, y]) => y));
     const is_wide = Math.max(...corners.map(([x]) => x)) - west > AREA_NAME_PX;
-    if (names && is_wide) made.push(text([west, north], 2, -6, name, 'name'));
+    if (names && is_wide) made.push(text([west, north], 2, -6, words, 'name'));
   }
-  for (const { name, points } of site.cables) {
+  for (const { id, points } of site.cables) {
     const cable = drawn('path', { class: 'cable', d: line(points) });
-    cable.append(drawn('title', {}, `Cable ${name}`));
+    cable.append(drawn('title', {}, `Cable ${id}`));
     made.push(cable);
   }
   const turbines = site.turbines.map((turbine) => ({ turbine, at: screen(to, turbine) }));
@@ -52,6 +54,28 @@ export function draw_things(
     if (names && has_room) made.push(text(here, 0, -14, turbine.id, 'name middle'));
   }
   at.replaceChildren(...made);
+}
+
+/** Up, right, down, left: where words stand beside a column. */
+const SIDES: readonly (readonly [number, number, string])[] = [
+  [0, -12, 'middle'],
+  [12, 5, 'start'],
+  [0, 22, 'middle'],
+  [-12, 5, 'end'],
+];
+
+/** Of the four sides the one that is farthest from all that points away from the column. */
+export function free_side(directions_deg: (number | null)[]): number {
+  const pointed = directions_deg.filter((degrees) => degrees !== null);
+  const room = (side: number): number =>
+    Math.min(180, ...pointed.map((degrees) => Math.abs(((degrees - side * 90 + 540) % 360) - 180)));
+  return [0, 1, 2, 3].reduce((best, side) => (room(side) > room(best) ? side : best), 2);
+}
+
+function area_words({ id, kind, to_direction_deg, in_force_now }: Area, look: Look): string {
+  const lane = `traffic lane, to ${look.direction(to_direction_deg)}`;
+  const what = kind === 'traffic_lane' ? lane : 'keep out';
+  return `${id}: ${what}${in_force_now ? '' : ', not in force now'}`;
 }
 
 const LABELS_UP_TO = 12;
@@ -96,16 +120,16 @@ export function draw_water(
         'g',
         { transform: `translate(${here})` },
         ...signs.filter((sign) => sign !== null),
-        drawn('title', {}, [column.name, ...lines_of(weather, shown, look)].join('\n')),
+        drawn('title', {}, [column.location, ...lines_of(weather, shown, look)].join('\n')),
       ),
     );
     if (!shown.names || apart_px < NAMES_APART_PX) continue;
     const lines = is_known(column.bed_m) ? [`bed ${look.metres(column.bed_m)}`] : [];
     if (!with_labels) {
-      // On the side that the wind does not come from.
-      const from = weather.wind_from_deg ?? 0;
-      const down_px = from > 90 && from < 270 ? -12 : 22;
-      made.push(...lines.map((line) => text(here, 0, down_px, line, 'middle')));
+      const [right, down, anchor] = SIDES[
+        free_side([weather.wind_from_deg, weather.wave_from_deg, weather.current_to_deg])
+      ] ?? [0, 22, 'middle'];
+      made.push(...lines.map((line) => text(here, right, down, line, anchor)));
       continue;
     }
     // Words stand to leeward, where no barb is.

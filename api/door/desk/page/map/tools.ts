@@ -40,7 +40,7 @@ export function place_choice({ view }: Desk): Tool {
     const turbines = site?.turbines ?? [];
     places = [...columns, ...turbines];
     const names = [
-      ...columns.map(({ name }) => `Column ${name}`),
+      ...columns.map(({ location }) => `Column ${location}`),
       ...turbines.map(({ id }) => `Turbine ${id}`),
     ];
     const chosen = places.findIndex((place) => is_same(place, view.values.place ?? site?.place));
@@ -54,10 +54,11 @@ export function place_choice({ view }: Desk): Tool {
   return { node: labelled('Place', select), show };
 }
 
-function is_same(a: Place, b: Place | undefined): boolean {
+function is_same(a: Place, b: Place | null | undefined): boolean {
   const near = (left: number, right: number): boolean => Math.abs(left - right) < 2e-5;
   return (
     b !== undefined &&
+    b !== null &&
     near(a.longitude_deg, b.longitude_deg) &&
     near(a.latitude_deg, b.latitude_deg)
   );

@@ -49,6 +49,7 @@ function option(
   const step_of = (speed: number): number =>
     Math.min(steps.length - 2, Math.max(0, steps.filter((least) => least <= speed).length - 1));
   const cells: number[][] = [];
+  const missing: number[][] = [];
   const arrows: number[][] = [];
   const from_ms = times_ms[0] ?? 0;
   const to_ms = times_ms[times_ms.length - 1] ?? from_ms + HOUR_MS;
@@ -57,16 +58,19 @@ function option(
   times_ms.forEach((at_ms, t) =>
     levels_m.forEach((level_m, k) => {
       const speed = value_at(column, 'sea_water_speed', t, k);
-      if (speed === null) return; // blank: never a calm cell
-      const step = step_of(desk.look.speed_number(speed));
       const [top, bottom] = [edges[k] ?? 0, edges[k + 1] ?? 0];
-      cells.push([
+      const cell = [
         Math.max(from_ms, at_ms - HOUR_MS / 2),
         top,
         Math.min(to_ms, at_ms + HOUR_MS / 2),
         bottom,
-        step,
-      ]);
+      ];
+      if (speed === null) {
+        missing.push(cell); // struck through: never a calm cell
+        return;
+      }
+      const step = step_of(desk.look.speed_number(speed));
+      cells.push([...cell, step]);
       const to = value_at(column, 'sea_water_velocity_to_direction', t, k);
       const is_drawn = t % every === Math.floor(every / 2) && with_arrows.has(k);
       if (to !== null && is_drawn) arrows.push([at_ms, level_m, to, step, top, bottom]);
@@ -96,6 +100,17 @@ function option(
           return { type: 'rect', shape, style: { fill: fills[means.value(4)]?.fill } };
         },
         markLine: depth_line(depth_m, colours().ink),
+      },
+      {
+        type: 'custom',
+        silent: true,
+        data: missing,
+        renderItem: (_: unknown, means: Means) => {
+          const [x1, y2] = means.coord([means.value(0), means.value(1)]);
+          const [x2, y1] = means.coord([means.value(2), means.value(3)]);
+          const style = { stroke: colours().quiet, lineWidth: 1 };
+          return { type: 'line', shape: { x1, y1, x2, y2 }, style };
+        },
       },
       {
         type: 'custom',
@@ -159,5 +174,5 @@ function swatches(steps: number[], unit: string): Node[] {
     const picture = drawn('svg', { viewBox: '0 0 22 14', class: 'swatch' }, box);
     return element('span', {}, picture, `${steps[i]}–${steps[i + 1]}`);
   });
-  return [...signs, element('span', {}, `${unit}; arrow: to, north up; blank: no value`)];
+  return [...signs, element('span', {}, `${unit}; arrow: to, north up; struck through: no value`)];
 }

@@ -3,21 +3,22 @@ import type { Desk } from '../look/desk';
 import { drawn } from '../look/element';
 import { nice_most, nice_step } from '../look/nice';
 import { MARGIN, path_of, picture, plot, words, type Picture, type Plot } from '../look/plot';
-import type { Level } from './profile';
+import { runs, type Level } from './profile';
 import type { Shown } from './profile_chart';
 
 const HEIGHT_PX = 300;
 
 export type Known = Level & { east_m_s: number; north_m_s: number };
 
+const is_known_level = (level: Level): level is Known =>
+  level.east_m_s !== null && level.north_m_s !== null;
+
 /** The levels that have a current, and among them the one nearest to the map's depth. */
 export function known_of(
   levels: Level[],
   depth_m: number,
 ): { known: Known[]; chosen: Known | null } {
-  const known = levels.filter(
-    (level): level is Known => level.east_m_s !== null && level.north_m_s !== null,
-  );
+  const known = levels.filter(is_known_level);
   const far = (level: Known): number => Math.abs(level.depth_m - depth_m);
   const chosen = known.reduce<Known | null>(
     (best, level) => (best === null || far(level) < far(best) ? level : best),
@@ -66,7 +67,9 @@ function content({ look }: Desk, it: Shown, width_px: number): SVGElement[] {
   return [
     ...at.frame,
     ...(chosen === null ? [] : cross(at, chosen, number)),
-    drawn('path', { class: 'east line', d: path_of(known.map(point)) }),
+    ...runs(it.levels, is_known_level).map((run) =>
+      drawn('path', { class: 'east line', d: path_of(run.filter(is_known_level).map(point)) }),
+    ),
     ...(chosen === null ? [] : [arrow([at.x(0), at.y(0)], point(chosen))]),
     ...dots,
   ];
@@ -107,9 +110,10 @@ function arrow([x0, y0]: [number, number], [x, y]: [number, number]): SVGElement
   const length = Math.hypot(x - x0, y - y0);
   const degrees = (Math.atan2(x - x0, y0 - y) * 180) / Math.PI;
   const head = Math.min(9, length);
+  const [half, neck] = [head / 2, head - length];
   return drawn('path', {
     class: 'arrow',
     transform: `translate(${x0} ${y0}) rotate(${degrees.toFixed(1)})`,
-    d: `M0,0 V${-length} M${-head / 2},${head - length} L0,${-length} L${head / 2},${head - length}`,
+    d: `M0,0 V${-length} M${-half},${neck} L0,${-length} L${half},${neck}`,
   });
 }

@@ -15,7 +15,7 @@ import { tide_series, wave_series, wind_series } from './over_time';
 import { largest_m_s, profile_at, type Level } from './profile';
 import { profile_chart, type Shown } from './profile_chart';
 import { series_chart, type Series } from './series_chart';
-import { fetch_water, NO_TIDE, type Told, type Water } from './water';
+import { fetch_water, NO_TIDE, said_by_all, type Told, type Water } from './water';
 
 export function placePart(desk: Desk): HTMLElement {
   const { view, server, look } = desk;
@@ -25,6 +25,7 @@ export function placePart(desk: Desk): HTMLElement {
   let most_m_s = 0;
 
   const head = element('h2');
+  const when = element('p', { class: 'when' });
   const says = element('p', { class: 'note', role: 'status' });
   const facts = element('dl', { class: 'facts' });
   const column_of = (kind: keyof Water): Column | null => water?.[kind].column ?? null;
@@ -80,7 +81,18 @@ export function placePart(desk: Desk): HTMLElement {
     box_of('tide', 'Tide', [tide.node, tide.legend]),
   ];
 
+  const show_head = (): void => {
+    const place = view.values.place ?? site?.place;
+    if (place === undefined || place === null) return;
+    const name = site === null ? '' : name_of(site, place.longitude_deg, place.latitude_deg);
+    const where = place_text(place.longitude_deg, place.latitude_deg);
+    set_text(head, name === '' ? where : `${name}: ${where}`);
+    const at_ms = hour_of(desk);
+    set_text(when, at_ms === null ? '' : `${look.time(at_ms)} ${look.zone_name}`);
+  };
+
   const show_hour = (): void => {
+    show_head();
     const at_ms = hour_of(desk);
     const column = column_of('currents');
     levels = column === null || at_ms === null ? [] : profile_at(column, time_index(column, at_ms));
@@ -100,6 +112,14 @@ export function placePart(desk: Desk): HTMLElement {
     hodograph.draw();
     profile.say(`Current by depth. ${spoken[0] ?? ''}. The table below has all depths.`);
     hodograph.say(`Hodograph. ${spoken[0] ?? ''}.`);
+    for (const [pictured, word] of [
+      [wind, 'Wind'],
+      [waves, 'Waves'],
+      [tide, 'Tide'],
+    ] as const) {
+      const of_it = spoken.filter((line) => line.startsWith(word)).join('. ');
+      pictured.say(`${word} over the hours of the forecast. At the slider's hour: ${of_it}.`);
+    }
     if (in_numbers.open) table.replaceChildren(level_table(look, levels));
   };
   const show = (): void => {
@@ -108,14 +128,6 @@ export function placePart(desk: Desk): HTMLElement {
     for (const each of over_time) each.draw();
     show_hour();
   };
-  const show_head = (): void => {
-    const place = view.values.place ?? site?.place;
-    if (place === undefined) return;
-    const name = site === null ? '' : name_of(site, place.longitude_deg, place.latitude_deg);
-    const where = place_text(place.longitude_deg, place.latitude_deg);
-    set_text(head, name === '' ? where : `${name}: ${where}`);
-  };
-
   let asked = 0;
   const load = async (): Promise<void> => {
     asked += 1;
@@ -131,11 +143,17 @@ export function placePart(desk: Desk): HTMLElement {
       show_head();
       const place = view.values.place ?? site.place;
       const forecast = server.forecast(site.id) ?? site.forecast;
-      const came = forecast === null ? null : await fetch_water(server, site, forecast, place);
+      const came =
+        forecast === null || place === null
+          ? null
+          : await fetch_water(server, site, forecast, place);
       if (mine !== asked) return;
-      water = came;
-      const none = 'No forecast is in force here. Make one: slackwater morning --site ';
-      set_text(says, came === null ? `${none}${site.id}` : '');
+      const all_refuse = came === null ? null : said_by_all(came);
+      water = all_refuse === null ? came : null;
+      const none = `No forecast is in force here. Make one: slackwater morning --site ${site.id}`;
+      const nearer = 'Choose a place nearer to a column, on the map or in its list.';
+      const without = all_refuse === null ? none : `${all_refuse} ${nearer}`;
+      set_text(says, water === null ? without : '');
     } catch (problem) {
       if (!(problem instanceof Refused)) throw problem;
       if (mine !== asked) return;
@@ -148,7 +166,9 @@ export function placePart(desk: Desk): HTMLElement {
     if (changed.has('place') || changed.has('site') || changed.has('forecast')) void load();
     else if (changed.has('server') && server.link.is === 'there') void load();
     else if (changed.has('sites') && view.values.site === '') set_text(says, words_of(desk));
-    else if (['at_ms', 'speed', 'directions', 'sites'].some((key) => changed.has(key as 'at_ms'))) {
+    else if (
+      ['at_ms', 'speed', 'directions', 'clock', 'sites'].some((key) => changed.has(key as 'at_ms'))
+    ) {
       show_hour();
     } else if (changed.has('depth_m')) {
       depths.draw();
@@ -157,7 +177,7 @@ export function placePart(desk: Desk): HTMLElement {
   });
   void load();
   const nodes = boxes.map(([, box]) => box.parentElement ?? box);
-  return element('div', { class: 'place-part' }, head, says, facts, ...nodes);
+  return element('div', { class: 'place-part' }, head, when, says, facts, ...nodes);
 }
 
 function figure(chart: Picture, words: string): HTMLElement {
@@ -191,7 +211,7 @@ function name_of(site: SiteMap, longitude_deg: number, latitude_deg: number): st
   const column = site.columns.find(is_here);
   const names = [
     ...(turbine === undefined ? [] : [`Turbine ${turbine.id}`]),
-    ...(column === undefined ? [] : [`Column ${column.name}`]),
+    ...(column === undefined ? [] : [`Column ${column.location}`]),
   ];
   return names.join(', ');
 }

@@ -1,9 +1,10 @@
-// Lines over the hours of the forecast, told apart by their dashes, with bands where they are given.
+// Lines over the hours of the forecast, told apart by their dashes; bands where they are given.
 import { axis, chart, type Chart, type Option } from '../look/chart';
 import { colours, type Colours } from '../look/colours';
 import type { Desk } from '../look/desk';
 import { drawn, element } from '../look/element';
 import { time_ticks } from '../look/hours';
+import { nice_most, nice_step } from '../look/nice';
 import { time_axis } from '../look/time_axis';
 import type { Value } from '../server/coverage';
 import { band } from './band';
@@ -50,11 +51,9 @@ function option(desk: Desk, it: Series, width_px: number): Option {
     axis(unit, {
       type: 'value',
       position,
-      scale: !it.from_zero,
-      ...(it.from_zero ? { min: 0 } : {}),
+      ...range_of(it, position === 'right'),
       nameLocation: 'middle',
       nameGap: 34,
-      splitNumber: 4,
       splitLine: { show: position === 'left', lineStyle: { color: paint.rule } },
     });
   const lines = it.lines.flatMap((line): Option[] => {
@@ -71,7 +70,9 @@ function option(desk: Desk, it: Series, width_px: number): Option {
                 ...side(line.band?.low ?? []),
                 ...side(line.band?.high ?? []).reverse(),
               ];
-              return { ...band(edges, paint.band, 'none'), ...own };
+              const is_first = line === it.lines[0];
+              const colour = is_first ? paint.band : 'transparent';
+              return { ...band(edges, colour, is_first ? 'none' : paint[line.colour]), ...own };
             },
           );
     return [
@@ -98,6 +99,18 @@ function option(desk: Desk, it: Series, width_px: number): Option {
   };
 }
 
+/** From nothing to a round number above lines and bands; to both sides where values have signs. */
+function range_of(it: Series, is_right: boolean): { min: number; max: number; interval: number } {
+  const all = it.lines
+    .filter((line) => (line.is_right === true) === is_right)
+    .flatMap(({ values, band: both }) => [...values, ...(both?.low ?? []), ...(both?.high ?? [])]);
+  const max = nice_most(Math.max(0, ...all.map((value) => Math.abs(value ?? 0))));
+  const min = it.from_zero ? 0 : -max;
+  return { min, max, interval: nice_step(max - min, 5) };
+}
+
+const ABOVE_PX = 40; // of a direction, with room
+
 /** Words on top of the plot at the hours of the ticks. */
 function above_of(desk: Desk, it: Series, width_px: number): Option[] {
   const { above } = it;
@@ -105,7 +118,7 @@ function above_of(desk: Desk, it: Series, width_px: number): Option[] {
   const reach = { from_ms: it.times_ms[0] ?? 0, to_ms: it.times_ms[it.times_ms.length - 1] ?? 0 };
   const { ink } = colours();
   const inside_ms = 0.03 * (reach.to_ms - reach.from_ms); // free of the axes' own words
-  const ticks = time_ticks(reach, desk.look.zone, width_px - 100).filter(
+  const ticks = time_ticks(reach, desk.look.zone, width_px - 100, ABOVE_PX).filter(
     ({ at_ms }) => at_ms > reach.from_ms + inside_ms && at_ms < reach.to_ms - inside_ms,
   );
   return [

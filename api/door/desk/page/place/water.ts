@@ -24,7 +24,7 @@ export async function fetch_water(
   forecast: ForecastInForce,
   place: Place,
 ): Promise<Water> {
-  const heights = [...new Set([HEIGHT_M, ...site.hub_heights_m])].sort((a, b) => a - b);
+  const heights = [...new Set([HEIGHT_M, ...hub_heights(site)])].sort((a, b) => a - b);
   const ask = (collection: string, more: Record<string, string> = {}): Promise<Told> => {
     const query = new URLSearchParams({
       coords: `POINT(${place.longitude_deg} ${place.latitude_deg})`,
@@ -52,6 +52,17 @@ async function told(server: Server, query: string): Promise<Told> {
     if (!(problem instanceof Refused)) throw problem;
     return { column: null, refused: problem.detail };
   }
+}
+
+function hub_heights({ hub_height_m, turbines }: SiteMap): number[] {
+  const all = [hub_height_m, ...turbines.map((turbine) => turbine.hub_height_m)];
+  return [...new Set(all.filter((height) => height !== null))].slice(0, 3);
+}
+
+/** What current, wind and waves all say in the same words, as for a place that is out of reach. */
+export function said_by_all({ currents, wind, waves }: Water): string | null {
+  const { refused } = currents;
+  return refused === wind.refused && refused === waves.refused ? refused : null;
 }
 
 /** Not every server has a tide; asking for one that is not there would read as a fault. */

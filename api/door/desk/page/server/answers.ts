@@ -8,7 +8,7 @@ export interface Problem {
   detail: string;
 }
 
-export type SiteStatus = 'ok' | 'degraded' | 'stale' | 'hindcast' | 'unreadable';
+export type SiteStatus = 'ok' | 'degraded' | 'stale' | 'hindcast' | 'unreadable' | 'no_forecast';
 
 export interface ForecastInForce {
   instance: string;
@@ -31,23 +31,25 @@ export interface Sites {
 export interface SiteInSites {
   id: string;
   name: string;
-  place: Place;
+  place: Place | null;
   time_zone: string | null;
   status: SiteStatus;
   in_words: string;
   forecast: ForecastInForce | null;
-  report: string;
+  report: string | null;
 }
 
-/** /sites/ID */
+/** /sites/ID. The server leaves out what it does not know; here it is then empty. */
 export interface SiteMap {
   id: string;
   name: string;
-  place: Place;
+  place: Place | null;
   time_zone: string | null;
   shift: string | null;
   water_depth_m: number | null;
-  columns: (Place & { name: string; bed_m: number | null })[];
+  hub_height_m: number | null;
+  columns: (Place & { location: string; bed_m: number | null })[];
+  levels_m: number[];
   turbines: (Place & {
     id: string;
     hub_height_m: number | null;
@@ -55,10 +57,38 @@ export interface SiteMap {
     foundation: string | null;
     landing_deg: number | null;
   })[];
-  cables: { name: string; points: [number, number][] }[];
-  areas: { name: string; kind: string; ring: [number, number][]; note: string }[];
+  cables: { id: string; points: [number, number][] }[];
+  areas: Area[];
   tasks: { id: string; name: string }[];
-  levels_m: number[];
-  hub_heights_m: number[];
+  in_words: string;
   forecast: ForecastInForce | null;
+}
+export interface Area {
+  id: string;
+  kind: 'exclusion' | 'traffic_lane';
+  reason: string;
+  ring: [number, number][];
+  in_force_now: boolean;
+  below_height_m: number | null;
+  to_direction_deg: number | null;
+}
+
+export function whole_site(answer: Partial<SiteMap> & { id: string }): SiteMap {
+  const nothing = {
+    name: answer.id,
+    place: answer.columns?.[0] ?? null,
+    time_zone: null,
+    shift: null,
+    water_depth_m: null,
+    hub_height_m: null,
+    columns: [],
+    levels_m: [],
+    turbines: [],
+    cables: [],
+    areas: [],
+    tasks: [],
+    in_words: '',
+    forecast: null,
+  };
+  return { ...nothing, ...answer };
 }

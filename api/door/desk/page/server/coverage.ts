@@ -1,4 +1,4 @@
-// CoverageJSON as the server's EDR gives it, read into columns: values by time and level at a place.
+// CoverageJSON as the server's EDR gives it, read into columns: values by time and level.
 import type { Place } from '../view';
 
 /** A missing value is null: it is never drawn as calm water. */

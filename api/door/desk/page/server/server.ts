@@ -1,5 +1,11 @@
 // All that is asked of the server. It is the only source of a number; here it is kept, not changed.
-import type { ForecastInForce, Sites, SiteMap, Problem } from './answers';
+import {
+  whole_site,
+  type ForecastInForce,
+  type Problem,
+  type SiteMap,
+  type Sites,
+} from './answers';
 import { Asked, type Ask } from './asked';
 import { read_coverages, type Column } from './coverage';
 
@@ -86,8 +92,8 @@ export class Server {
     await this.fetch_json(path, { method: 'DELETE' });
   }
 
-  site(id: string): Promise<SiteMap> {
-    return this.get(`/sites/${encodeURIComponent(id)}`);
+  async site(id: string): Promise<SiteMap> {
+    return whole_site(await this.get(`/sites/${encodeURIComponent(id)}`));
   }
   /** One of /collections: the columns of values of an EDR query. */
   async columns(query: string): Promise<Column[]> {

@@ -41,12 +41,7 @@ test('AForecastThatEndedSaysSo', () => {
 
 test('DaysBeginAtMidnightOfTheZone', () => {
   const utc = time_ticks(REACH, 'UTC', 900).filter(({ is_day }) => is_day);
-  expect(utc.map(({ text }) => text)).toEqual([
-    'Thu 13 Mar',
-    'Fri 14 Mar',
-    'Sat 15 Mar',
-    'Sun 16 Mar',
-  ]);
+  expect(utc.map(({ text }) => text)).toEqual(['Thu 13', 'Fri 14', 'Sat 15', 'Sun 16']);
   const paris = time_ticks(REACH, 'Europe/Paris', 900).filter(({ is_day }) => is_day);
   expect(paris[0]?.at_ms).toBe(FROM + 23 * HOUR_MS);
 });

@@ -8,6 +8,7 @@ import {
   scale_bar,
   zoomed,
 } from 'page/map/projection';
+import { free_side } from 'page/map/scene';
 import { beside_barbs_px } from 'page/map/arrows';
 
 const SIZE = { width: 600, height: 400 };
@@ -81,4 +82,12 @@ test('AWaveArrowStandsFreeOfTheBarbs', () => {
   expect(beside_barbs_px(350, 10, true)).toBeGreaterThan(0);
   expect(beside_barbs_px(350, 170, false)).toBe(0);
   expect(beside_barbs_px(null, 170, false)).toBe(0);
+});
+
+test('WordsStandWhereNothingPoints', () => {
+  const [up, right, down] = [0, 1, 2];
+  expect(free_side([200, 240, 90])).toBe(up);
+  expect(free_side([270, 300, null])).toBe(right);
+  expect(free_side([350, 20, 80])).toBe(down);
+  expect(free_side([null, null])).toBe(down);
 });

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { fetch_water, NO_TIDE } from 'page/place/water';
-import type { SiteMap } from 'page/server/answers';
+import { fetch_water, NO_TIDE, said_by_all } from 'page/place/water';
+import { whole_site } from 'page/server/answers';
 import { Refused, Server } from 'page/server/server';
 
 type Answer = { status?: number; body: unknown } | 'gone';
@@ -46,6 +46,14 @@ test('OneAnswerIsEnoughForAllWhoAsk', async () => {
   await Promise.all([server.site('bay'), server.site('bay')]);
   await server.site('bay');
   expect(asked).toEqual(['/sites/bay']);
+});
+
+test('ASiteThatIsNotDescribedIsAMapWithoutThings', async () => {
+  const column = { location: 'bay', longitude_deg: 1, latitude_deg: 2, bed_m: 30 };
+  const { server } = made_up({ '/sites/bay': { body: { id: 'bay', columns: [column] } } });
+  const site = await server.site('bay');
+  expect(site).toMatchObject({ name: 'bay', turbines: [], place: { longitude_deg: 1 } });
+  expect(whole_site({ id: 'x' })).toMatchObject({ place: null, columns: [], forecast: null });
 });
 
 test('ARefusalSpeaksInTheServersWordsAndIsNotKept', async () => {
@@ -94,7 +102,7 @@ test('TheServersClockRules', async () => {
   expect(server.now_ms()).toBe(Date.parse('2025-03-13T06:00:05Z'));
 });
 
-const SITE = { id: 'bay', hub_heights_m: [90, 10] } as unknown as SiteMap;
+const SITE = whole_site({ id: 'bay', hub_height_m: 90 });
 const FORECAST = {
   instance: 'a',
   day: '2025-03-12',
@@ -125,5 +133,12 @@ test('AtAPlaceEachAnswerStandsForItself', async () => {
   expect(water.wind.column?.values.wind_speed).toEqual([9]);
   expect(water.waves.refused).toBe('The server has no values here.');
   expect(water.tide).toEqual({ column: null, refused: NO_TIDE });
+  expect(said_by_all(water)).toBeNull();
   expect(asked.find((path) => path.includes('/wind/'))).toContain('z=10%2C90');
+});
+
+test('APlaceOutOfReachIsSaidOnce', async () => {
+  const { server } = made_up({ '/collections': { body: { collections: [] } } });
+  const water = await fetch_water(server, SITE, FORECAST, PLACE);
+  expect(said_by_all(water)).toBe('found no such thing');
 });
