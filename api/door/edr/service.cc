@@ -53,6 +53,12 @@ Format format_of(const Request& request, const QueryString& query,
   return choose_format(f.value_or(""), request.accept, offered);
 }
 
+/// It asks for a page, and for none of the formats by name.
+bool is_browser(const Request& request) {
+  const QueryString query = QueryString::parse(request.query);
+  return query.all().empty() && format_of(request, query, document_formats) == Format::html;
+}
+
 Response page_response(std::string html) {
   return {200, "text/html; charset=utf-8", std::move(html), {varies}, metadata_max_age_s};
 }
@@ -243,13 +249,14 @@ std::vector<std::string> own_header_fields() { return provenance_fields(); }
 
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url, const Freshness& freshness) {
-  add_routes(router, std::move(forecasts), base_url, freshness, nlohmann::json::object());
+  add_routes(router, std::move(forecasts), base_url, freshness,
+             Beside{nlohmann::json::object(), {}});
 }
 
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
-                const std::string& base_url, const Freshness& freshness,
-                const nlohmann::json& beside) {
-  const auto service = std::make_shared<const Service>(std::move(forecasts), base_url, beside);
+                const std::string& base_url, const Freshness& freshness, const Beside& beside) {
+  const auto service =
+      std::make_shared<const Service>(std::move(forecasts), base_url, beside.interface);
   using Catalogue = ForecastCatalogue;
   const auto add = [&](const std::string& pattern, std::span<const Format> formats,
                        std::span<const std::string_view> others, auto make) {
@@ -278,8 +285,12 @@ void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
   const std::string collection = "/collections/{collectionId}";
   const std::string instance = collection + "/instances/{instanceId}";
 
-  document("/", [=](const std::string& base, const Catalogue& catalogue, const auto&, const auto&) {
-    return landing_page(base, catalogue, freshness);
+  router.add("GET", "/", [=, front_page = beside.front_page](const Request& request) -> Outcome {
+    if (front_page && is_browser(request)) return front_page(request);
+    return service->document(request, document_formats, {},
+                             [&](const std::string& base, const Catalogue& catalogue, const auto&) {
+                               return landing_page(base, catalogue, freshness);
+                             });
   });
   document("/conformance", [](const std::string&, const Catalogue&, const auto&, const auto&) {
     return conformance();
