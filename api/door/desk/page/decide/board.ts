@@ -79,7 +79,9 @@ export class Board {
     if (!this.details.open) return;
     const all = worst_first([...this.rows.values()]);
     this.reports.add(
-      all.filter(({ report }) => report.is === 'waiting').map(({ site }) => site.id),
+      all
+        .filter((it) => it.report.is === 'waiting' && it.site.report !== null)
+        .map(({ site }) => site.id),
     );
   }
 
@@ -92,8 +94,8 @@ export class Board {
 
   private async ask(id: string): Promise<void> {
     const row = this.rows.get(id);
-    if (row === undefined) return;
-    const { report: from } = row.site;
+    const from = row?.site.report ?? null;
+    if (row === undefined || from === null) return;
     try {
       const body = await this.desk.server.get<Report>(from);
       const today = body.today?.verdict ?? null;
@@ -117,7 +119,8 @@ export class Board {
     );
     open.setAttribute('aria-pressed', String(is_shown));
     const verdict = (key: string): Node | string => {
-      if (answer === null || report.is !== 'there') return report.is === 'waiting' ? '…' : '–';
+      if (answer === null || report.is !== 'there')
+        return report.is === 'waiting' && site.report !== null ? '…' : '–';
       const said = key === 'verdict' ? report.next : report.today;
       return said === null ? 'none left' : verdict_badge(answer, key, said);
     };

@@ -2,7 +2,14 @@
 import type { SiteInSites, SiteStatus } from '../server/answers';
 import type { Verdict } from './answers';
 
-const STATUS: readonly SiteStatus[] = ['unreadable', 'stale', 'degraded', 'hindcast', 'ok'];
+const STATUS: readonly SiteStatus[] = [
+  'unreadable',
+  'stale',
+  'no_forecast',
+  'degraded',
+  'hindcast',
+  'ok',
+];
 const VERDICT: readonly Verdict[] = ['no-go', 'marginal', 'go'];
 
 /** What is known of a site's report. */
@@ -38,11 +45,14 @@ export const STATUS_TEXT: Record<SiteStatus, string> = {
   stale: 'Old',
   hindcast: 'Of a past day',
   unreadable: 'Cannot be read',
+  no_forecast: 'No forecast',
 };
 
 /** What to do about a status; empty where nothing is to be done. */
 export function advice_of({ id, status }: SiteInSites): string {
   switch (status) {
+    case 'no_forecast':
+      return `Make the first forecast: slackwater morning --site ${id}`;
     case 'stale':
       return `Make a new forecast: slackwater morning --site ${id}`;
     case 'degraded':

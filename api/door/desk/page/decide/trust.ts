@@ -4,7 +4,6 @@ import type { Look } from '../look/look';
 import { NOT_KNOWN, is_known } from '../look/units';
 import { told, type Answer } from './answer';
 import type { Report, Trust } from './answers';
-import { counted } from './words';
 
 const OUTCOME: Record<Trust['outcome'], string> = {
   ahead: 'The forecast is better.',
@@ -20,6 +19,8 @@ export function error_text(value: number | null | undefined, unit: string, look:
   return `${value.toFixed(2)} ${unit}`;
 }
 
+const days_text = (days: number): string => (days === 1 ? 'day' : `${days} days`);
+
 export function trust_line(answer: Answer<Report>, look: Look): HTMLElement {
   const { trust, verified } = answer.body;
   const node = element('div', { class: 'trust' });
@@ -28,7 +29,7 @@ export function trust_line(answer: Answer<Report>, look: Look): HTMLElement {
     const line = element(
       'p',
       { 'data-outcome': of.outcome },
-      `The ${of.variable} forecast of the last ${counted(of.forecasts, 'day')} erred by `,
+      `The ${of.variable} forecast of the last ${days_text(of.forecasts)} erred by `,
       element('strong', {}, told(answer, `trust.${i}.rmse`, shown)),
     );
     if (of.best_rival === null) line.append('; there is no simple method to compare with.');

@@ -87,8 +87,7 @@ export function windows_row(
   });
   const most = Math.max(0, ...task.starts.map(({ worth }) => worth));
   if (column === SHORT) {
-    const text =
-      task.starts.length === 0 ? 'no start' : `no start has more than ${chance_text(most)}`;
+    const text = task.starts.length === 0 ? 'no start' : `the best start has ${chance_text(most)}`;
     svg.append(drawn('text', { class: 'none', x: 4, y: TOP + column - 5 }, text));
   }
   svg.append(

@@ -16,7 +16,7 @@ export const VERDICT: Record<Verdict, string> = {
 export function chance_text(probability: number | null | undefined): string {
   if (!is_known(probability)) return percent_text(probability);
   if (probability < 0.005) return 'under 1 %';
-  return probability > 0.995 ? 'over 99 %' : percent_text(probability);
+  return probability >= 0.995 ? 'over 99 %' : percent_text(probability);
 }
 
 export function interval_text(interval: Range | null | undefined): string {
