@@ -2,7 +2,7 @@
 import { resize_charts } from './chart';
 import { use_palette } from './colours';
 
-const A4_PX = 700; // 210 mm less the margins of the style sheet
+const A4_PX = 670; // 210 mm less the margins of the style sheet
 
 export function listen_to_printer(palette: () => string): void {
   let opened: HTMLDetailsElement[] = [];

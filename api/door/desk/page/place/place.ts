@@ -25,6 +25,7 @@ export function placePart(desk: Desk): HTMLElement {
   let most_m_s = 0;
 
   const head = element('h2');
+  const when = element('p', { class: 'when' });
   const says = element('p', { class: 'note', role: 'status' });
   const facts = element('dl', { class: 'facts' });
   const column_of = (kind: keyof Water): Column | null => water?.[kind].column ?? null;
@@ -80,7 +81,18 @@ export function placePart(desk: Desk): HTMLElement {
     box_of('tide', 'Tide', [tide.node, tide.legend]),
   ];
 
+  const show_head = (): void => {
+    const place = view.values.place ?? site?.place;
+    if (place === undefined || place === null) return;
+    const name = site === null ? '' : name_of(site, place.longitude_deg, place.latitude_deg);
+    const where = place_text(place.longitude_deg, place.latitude_deg);
+    set_text(head, name === '' ? where : `${name}: ${where}`);
+    const at_ms = hour_of(desk);
+    set_text(when, at_ms === null ? '' : `${look.time(at_ms)} ${look.zone_name}`);
+  };
+
   const show_hour = (): void => {
+    show_head();
     const at_ms = hour_of(desk);
     const column = column_of('currents');
     levels = column === null || at_ms === null ? [] : profile_at(column, time_index(column, at_ms));
@@ -116,14 +128,6 @@ export function placePart(desk: Desk): HTMLElement {
     for (const each of over_time) each.draw();
     show_hour();
   };
-  const show_head = (): void => {
-    const place = view.values.place ?? site?.place;
-    if (place === undefined || place === null) return;
-    const name = site === null ? '' : name_of(site, place.longitude_deg, place.latitude_deg);
-    const where = place_text(place.longitude_deg, place.latitude_deg);
-    set_text(head, name === '' ? where : `${name}: ${where}`);
-  };
-
   let asked = 0;
   const load = async (): Promise<void> => {
     asked += 1;
@@ -162,7 +166,9 @@ export function placePart(desk: Desk): HTMLElement {
     if (changed.has('place') || changed.has('site') || changed.has('forecast')) void load();
     else if (changed.has('server') && server.link.is === 'there') void load();
     else if (changed.has('sites') && view.values.site === '') set_text(says, words_of(desk));
-    else if (['at_ms', 'speed', 'directions', 'sites'].some((key) => changed.has(key as 'at_ms'))) {
+    else if (
+      ['at_ms', 'speed', 'directions', 'clock', 'sites'].some((key) => changed.has(key as 'at_ms'))
+    ) {
       show_hour();
     } else if (changed.has('depth_m')) {
       depths.draw();
@@ -171,7 +177,7 @@ export function placePart(desk: Desk): HTMLElement {
   });
   void load();
   const nodes = boxes.map(([, box]) => box.parentElement ?? box);
-  return element('div', { class: 'place-part' }, head, says, facts, ...nodes);
+  return element('div', { class: 'place-part' }, head, when, says, facts, ...nodes);
 }
 
 function figure(chart: Picture, words: string): HTMLElement {

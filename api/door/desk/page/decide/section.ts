@@ -1,0 +1,39 @@
+// A part of the page that waits for one answer: what it shows meanwhile, and when none comes.
+import { element } from '../look/element';
+import { Refused } from '../server/server';
+
+export function refusal_text(problem: unknown): string {
+  return problem instanceof Refused ? problem.detail : `The page could not show this: ${problem}`;
+}
+
+/** A heading and what belongs under it; only the answer asked for last is shown. */
+export class Section {
+  readonly node: HTMLElement;
+  readonly body = element('div', { class: 'section-body' });
+  private asked = 0;
+
+  constructor(title: string, name: string) {
+    const head = element('h2', { id: `decide-${name}` }, title);
+    this.node = element('section', { class: name, 'aria-labelledby': head.id }, head, this.body);
+  }
+
+  async show(coming: Promise<HTMLElement>): Promise<void> {
+    this.asked += 1;
+    const mine = this.asked;
+    this.body.setAttribute('aria-busy', 'true');
+    if (this.body.childElementCount === 0) this.say('Asking the server …', 'waiting');
+    let made: HTMLElement;
+    try {
+      made = await coming;
+    } catch (problem) {
+      made = element('p', { class: 'refused' }, refusal_text(problem));
+    }
+    if (mine !== this.asked) return;
+    this.body.replaceChildren(made);
+    this.body.removeAttribute('aria-busy');
+  }
+
+  say(text: string, kind = 'note'): void {
+    this.body.replaceChildren(element('p', { class: kind }, text));
+  }
+}

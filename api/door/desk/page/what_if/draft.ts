@@ -1,0 +1,123 @@
+// What a person has changed: the texts as they would be, and the hours and turbine asked about.
+import { value_in, with_exchanged, with_value, type Path } from './yaml_text';
+
+export interface Texts {
+  site: string;
+  tasks: Record<string, string>;
+  plan: string | null;
+}
+export interface ChangedTexts {
+  site?: string;
+  tasks?: Record<string, string>;
+  plan?: string;
+}
+/** Of the question alone; '' is what the server takes by itself. */
+export interface Asked {
+  turbine: string;
+  from: string;
+  to: string;
+}
+export interface Crew {
+  id: string;
+  shift: string;
+}
+export interface PlanTask {
+  index: number; // in the plan's list
+  task: string;
+  turbines: string[];
+  priority: number;
+}
+
+export class Draft {
+  asked: Asked = { turbine: '', from: '', to: '' };
+  private site: string;
+  private tasks: Record<string, string>;
+  private plan: string | null;
+
+  constructor(private readonly texts: Texts) {
+    this.site = texts.site;
+    this.tasks = { ...texts.tasks };
+    this.plan = texts.plan;
+  }
+
+  task(id: string): string {
+    return this.tasks[id] ?? '';
+  }
+  set_limit(task: string, path: Path, value: number): void {
+    this.tasks[task] = with_value(this.task(task), path, value);
+  }
+
+  /** '' where the site has none: any hour. */
+  get shift(): string {
+    return String(value_in(this.site, ['shift']) ?? '');
+  }
+  set shift(hours: string) {
+    this.site = with_value(this.site, ['shift'], hours);
+  }
+  get crews(): Crew[] {
+    const list = this.plan === null ? [] : value_in(this.plan, ['crews']);
+    if (!Array.isArray(list)) return [];
+    return list.map((it: Partial<Crew>) => ({ id: it.id ?? '', shift: it.shift ?? '' }));
+  }
+  set_crew_shift(index: number, shift: string): void {
+    if (this.plan !== null) this.plan = with_value(this.plan, ['crews', index, 'shift'], shift);
+  }
+
+  /** In the order of their priorities, of equal ones that of the file. */
+  get plan_tasks(): PlanTask[] {
+    const list = this.plan === null ? [] : value_in(this.plan, ['tasks']);
+    if (!Array.isArray(list)) return [];
+    const all = list.map((it: Partial<PlanTask>, index) => ({
+      index,
+      task: it.task ?? '',
+      turbines: it.turbines ?? [],
+      priority: it.priority ?? 1,
+    }));
+    return all.sort((a, b) => b.priority - a.priority || a.index - b.index);
+  }
+  /** Ahead of the one above it: their priorities are exchanged, or raised where they are equal. */
+  move_up(place: number): void {
+    const above = this.plan_tasks[place - 1];
+    const moved = this.plan_tasks[place];
+    if (above === undefined || moved === undefined) return;
+    if (above.priority === moved.priority) {
+      this.set_priority(moved.index, moved.priority + 1);
+      return;
+    }
+    this.set_priority(moved.index, above.priority);
+    this.set_priority(above.index, moved.priority);
+  }
+  private set_priority(index: number, priority: number): void {
+    if (this.plan === null) return;
+    this.plan = with_value(this.plan, ['tasks', index, 'priority'], priority);
+  }
+
+  /** Where there is no plan: the order of the site's own list. */
+  get site_tasks(): string[] {
+    const list = value_in(this.site, ['tasks']);
+    return Array.isArray(list) ? list.map(String) : Object.keys(this.tasks);
+  }
+  move_site_task_up(place: number): void {
+    if (place > 0) this.site = with_exchanged(this.site, ['tasks'], place - 1, place);
+  }
+
+  get changed(): ChangedTexts {
+    const tasks = Object.entries(this.tasks).filter(([id, text]) => text !== this.texts.tasks[id]);
+    return {
+      ...(this.site === this.texts.site ? {} : { site: this.site }),
+      ...(tasks.length === 0 ? {} : { tasks: Object.fromEntries(tasks) }),
+      ...(this.plan === null || this.plan === this.texts.plan ? {} : { plan: this.plan }),
+    };
+  }
+  get is_changed(): boolean {
+    return Object.keys(this.changed).length > 0 || this.asked.turbine !== '';
+  }
+  /** What is asked of the server beside the texts. */
+  query(with_turbine: boolean): string {
+    const query = new URLSearchParams();
+    for (const [key, value] of Object.entries(this.asked)) {
+      if (value !== '' && (with_turbine || key !== 'turbine')) query.set(key, value);
+    }
+    return query.toString();
+  }
+}

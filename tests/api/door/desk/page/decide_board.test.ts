@@ -1,0 +1,113 @@
+// @vitest-environment happy-dom
+import { expect, test } from 'vitest';
+import { Board } from 'page/decide/board';
+import { advice_of, counts_text, worst_first, type BoardSite } from 'page/decide/board_order';
+import { OneByOne } from 'page/decide/one_by_one';
+import type { Desk } from 'page/look/desk';
+import { Look } from 'page/look/look';
+import type { SiteInSites, SiteStatus } from 'page/server/answers';
+import { Refused } from 'page/server/server';
+import { first_view, View } from 'page/view';
+import { report } from './decide_made';
+
+function site(id: string, status: SiteStatus = 'ok'): SiteInSites {
+  return {
+    id,
+    name: `Site ${id}`,
+    place: { longitude_deg: 0, latitude_deg: 50 },
+    time_zone: null,
+    status,
+    in_words: `words of ${id}`,
+    forecast: null,
+    report: `/sites/${id}/report`,
+  };
+}
+const there = (today: 'go' | 'no-go' | null, next: 'go' | 'marginal'): BoardSite['report'] => ({
+  is: 'there',
+  today,
+  next,
+  headline: '',
+});
+
+test('TheWorstIsFirst', () => {
+  const sites: BoardSite[] = [
+    { site: site('a'), report: there('go', 'go') },
+    { site: site('b', 'stale'), report: there('go', 'go') },
+    { site: site('c'), report: there('no-go', 'go') },
+    { site: site('d', 'unreadable'), report: { is: 'refused', why: '' } },
+    { site: site('e'), report: there(null, 'marginal') },
+    { site: site('f'), report: { is: 'waiting' } },
+    { site: site('g', 'degraded'), report: { is: 'waiting' } },
+    { site: site('h'), report: { is: 'refused', why: '' } },
+  ];
+  expect(
+    worst_first(sites)
+      .map((it) => it.site.id)
+      .join(''),
+  ).toBe('dbghceaf');
+});
+
+test('WhatToDoIsSaidOfAllThatIsNotInForce', () => {
+  for (const status of ['stale', 'degraded', 'hindcast', 'unreadable'] as const) {
+    expect(advice_of(site('bay', status))).toMatch(/slackwater (morning --site bay|store check)/);
+  }
+  expect(advice_of(site('bay'))).toBe('');
+  expect(counts_text([site('a'), site('b', 'stale')])).toBe('2 sites: 1 old, 1 in force');
+  expect(counts_text([])).toBe('0 sites');
+});
+
+test('ReportsAreAskedForOneByOne', async () => {
+  let running = 0;
+  let most = 0;
+  const done: number[] = [];
+  const queue = new OneByOne<number>(async (what) => {
+    running += 1;
+    most = Math.max(most, running);
+    await Promise.resolve();
+    running -= 1;
+    done.push(what);
+  });
+  queue.add([1, 2, 3]);
+  queue.add([3, 4]);
+  await new Promise((over) => setTimeout(over, 5));
+  expect([most, done]).toEqual([1, [1, 2, 3, 4]]);
+});
+
+function desk_of(sites: SiteInSites[], asked: string[]): Desk {
+  const view = new View({ ...first_view(), site: 's1' });
+  const server = {
+    sites: { now: '', stale_after_s: 0, trouble: '', sites },
+    get: (path: string) => {
+      asked.push(path);
+      if (path.includes('s3/')) return Promise.reject(new Refused(503, 'the file is cut off'));
+      return Promise.resolve(report({ verdict: 'go' }));
+    },
+  };
+  return { view, server, look: new Look(view), onChange: () => {} } as unknown as Desk;
+}
+
+test('AHundredSitesAreAskedForOnlyOnceSomebodyLooks', async () => {
+  const asked: string[] = [];
+  const sites = Array.from({ length: 100 }, (_, i) => site(`s${i}`, i === 7 ? 'stale' : 'ok'));
+  const board = new Board(desk_of(sites, asked));
+  document.body.append(board.node);
+  board.show(false);
+  expect(asked).toEqual([]);
+  const details = board.node.querySelector('details') as HTMLDetailsElement;
+  expect(details.querySelector('summary')?.textContent).toBe(
+    'All sites: 100 sites: 1 old, 99 in force',
+  );
+  details.open = true;
+  details.dispatchEvent(new Event('toggle'));
+  await new Promise((over) => setTimeout(over, 50));
+  expect(asked.length).toBe(100);
+  expect(asked[0]).toBe('/sites/s7/report');
+  const bodies = [...board.node.querySelectorAll('tbody')];
+  expect(bodies.length).toBe(100);
+  expect(bodies[0]?.textContent).toContain('words of s7');
+  expect(bodies[1]?.textContent).toContain('the file is cut off');
+  const search = board.node.querySelector('input') as HTMLInputElement;
+  search.value = 's42';
+  search.dispatchEvent(new Event('input'));
+  expect(bodies.filter(({ hidden }) => !hidden).length).toBe(1);
+});
