@@ -125,7 +125,8 @@ class Decide {
     const issued = in_force === null ? null : Date.parse(in_force.issued);
     const now_ms = server.now_ms();
     if (issued !== null && Math.floor(issued / DAY_MS) < Math.floor(now_ms / DAY_MS)) {
-      return `The forecast was issued on ${look.day(issued)}: it says nothing of the hours left today.`;
+      const day = look.day(issued);
+      return `The forecast was issued on ${day}: it says nothing of the hours left today.`;
     }
     return 'No hours of today are left, or they could not be worked out.';
   }
