@@ -77,6 +77,12 @@ const IssuedForecast* ForecastCatalogue::find(const std::string& instance) const
   return nullptr;
 }
 
+const StoredProduct* ForecastCatalogue::product(const std::string& id) const noexcept {
+  for (const StoredProduct& product : *products)
+    if (product.id == id) return &product;
+  return nullptr;
+}
+
 const ForecastCatalogue::SiteForecast* ForecastCatalogue::site_at(double longitude_deg,
                                                                   double latitude_deg) const {
   std::vector<std::shared_ptr<const Field>> fields;
@@ -139,10 +145,13 @@ void IssuedFields::refresh() {
 void IssuedFields::read_store() {
   store::Store store = store::Store::open(folder_, store::OpenMode::read_only);
   std::vector<IssuedForecast> instances = named(store.list_forecasts());
+  std::vector<StoredProduct> products = stored_products(store.find_granules({}));
   const bool was_whole = is_whole();
   retry(instances);
-  if (was_whole && are_same(instances, published_.load()->instances)) return;
-  published_.store(std::make_shared<const ForecastCatalogue>(next_catalogue(std::move(instances))));
+  const std::shared_ptr<const ForecastCatalogue> now = published_.load();
+  if (was_whole && are_same(instances, now->instances) && products == *now->products) return;
+  published_.store(std::make_shared<const ForecastCatalogue>(
+      next_catalogue(std::move(instances), std::move(products))));
 }
 
 /// What could not be read may have been mended.
@@ -164,10 +173,14 @@ void IssuedFields::retry(const std::vector<IssuedForecast>& instances) {
   }
 }
 
-ForecastCatalogue IssuedFields::next_catalogue(std::vector<IssuedForecast> instances) {
+ForecastCatalogue IssuedFields::next_catalogue(std::vector<IssuedForecast> instances,
+                                               std::vector<StoredProduct> products) {
   const std::shared_ptr<const ForecastCatalogue> now = published_.load();
   ForecastCatalogue next;
   next.instances = std::move(instances);
+  next.products = products == *now->products
+                      ? now->products
+                      : std::make_shared<const std::vector<StoredProduct>>(std::move(products));
   std::set<std::string> sites;
   std::set<std::string> names{""};
   for (const IssuedForecast& forecast : next.instances) {

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "api/issued/stored_products.h"
 #include "data/store/store.h"
 #include "fields/service/field.h"
 #include "fields/service/published.h"
@@ -37,17 +38,21 @@ struct ForecastCatalogue {
   };
   std::vector<IssuedForecast> instances;  ///< newest first
   std::vector<SiteForecast> sites;        ///< by site id
+  /// What product files hold, by id (stored_products.h): never null.
+  std::shared_ptr<const std::vector<StoredProduct>> products =
+      std::make_shared<const std::vector<StoredProduct>>();
 
   [[nodiscard]] const IssuedForecast* find(const std::string& instance) const noexcept;
+  [[nodiscard]] const StoredProduct* product(const std::string& id) const noexcept;
   /// The forecast in force for the site nearest to the place, of those that reach it; null where
   /// none does.
   [[nodiscard]] const SiteForecast* site_at(double longitude_deg, double latitude_deg) const;
 };
 
 /// Issued forecasts of a store, laid out for sampling: the one in force of each site always at
-/// hand, older ones read when they are asked for and the last few kept. Follows the store: a
-/// forecast that another process issues is in force here within `every`. Readers of the catalogue
-/// never wait.
+/// hand, older ones read when they are asked for and the last few kept; and which products it
+/// holds. Follows the store: a forecast that another process issues is in force here within
+/// `every`, and a product that it ingests is listed. Readers of the catalogue never wait.
 ///
 /// What cannot be read degrades and never ends the service: a store that is gone or locked leaves
 /// the catalogue as it was, a forecast in force that cannot be read leaves its site with the newest
@@ -64,6 +69,8 @@ class IssuedFields {
   [[nodiscard]] std::shared_ptr<const ForecastCatalogue> catalogue() const noexcept {
     return published_.load();
   }
+  /// Of the store.
+  [[nodiscard]] const std::filesystem::path& folder() const noexcept { return folder_; }
   /// The field of any instance. @throws Error(not_found) for a name that is not on offer, or no
   /// longer; Error(unavailable), without the store's paths, for one that cannot be read
   [[nodiscard]] std::shared_ptr<const Field> field(const std::string& instance);
@@ -83,7 +90,8 @@ class IssuedFields {
   [[nodiscard]] Mark mark() const noexcept;
   void read_store();
   void retry(const std::vector<IssuedForecast>& instances);
-  [[nodiscard]] ForecastCatalogue next_catalogue(std::vector<IssuedForecast> instances);
+  [[nodiscard]] ForecastCatalogue next_catalogue(std::vector<IssuedForecast> instances,
+                                                 std::vector<StoredProduct> products);
   [[nodiscard]] std::shared_ptr<const Field> in_force(const ForecastCatalogue& now,
                                                       const IssuedForecast& forecast);
   [[nodiscard]] std::shared_ptr<const Field> read(const IssuedForecast& forecast) const;

@@ -21,6 +21,7 @@ using std::chrono::minutes;
 
 constexpr const char* east = "eastward_sea_water_velocity";
 constexpr const char* north = "northward_sea_water_velocity";
+constexpr const char* level = "sea_surface_height_above_geoid";
 
 /// What each door prints, m/s: CoverageJSON and CSV round; the twin turns degrees into metres and
 /// back.
@@ -61,6 +62,7 @@ class OneAnswer : public ::testing::Test {
     for (ForecastColumn& column : made.columns) {
       for (Horizontal& current : column.current_m_s) current *= static_cast<double>(seed);
     }
+    add_made_up_level(made);
     return made;
   }
 
@@ -161,6 +163,40 @@ Horizontal from_http(const std::filesystem::path& folder, const Asked& asked) {
           ranges.at(north).at("values").at(0).get<double>()};
 }
 
+/// The level of the sea, m.
+double level_from_http(const std::filesystem::path& folder, const Asked& asked) {
+  api::http::Router router;
+  api::edr::add_routes(router, std::make_shared<api::IssuedFields>(folder), "http://edr.test");
+  api::http::Request request;
+  request.method = "GET";
+  request.host = "edr.test";
+  request.path = "/collections/sea-level/position";
+  request.query = "coords=POINT(" + json(asked.longitude_deg).dump() + "%20" +
+                  json(asked.latitude_deg).dump() + ")&datetime=" + format_utc(asked.time);
+  const api::http::Response answer = api::http::completed(router(request));
+  EXPECT_EQ(answer.status, 200) << answer.body;
+  return json::parse(answer.body).at("ranges").at(level).at("values").at(0).get<double>();
+}
+
+double level_from_profile(const std::filesystem::path& folder, const Asked& asked) {
+  const ProgramResult result = run_program(
+      {"--store", folder.string(), "profile", "--json", "--lat", json(asked.latitude_deg).dump(),
+       "--lon", json(asked.longitude_deg).dump(), "--time", format_utc(asked.time)});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return json::parse(result.out).at("sea_level").at(level).get<double>();
+}
+
+/// What the DDS topic `/SITE/tide_level` says too (api/door/dds/message/site_messages.cc).
+double level_from_library(const std::filesystem::path& folder, const Asked& asked) {
+  store::Store store = store::Store::open(folder, store::OpenMode::read_only);
+  const auto row = api::forecast_in_force(store, {}).row;
+  const Place place{asked.longitude_deg, asked.latitude_deg, 0, asked.time};
+  SeaLevelSample sample;
+  api::read_field(store, row, ingest::Members::none)->sample_sea_level({&place, 1}, {&sample, 1});
+  EXPECT_EQ(sample.status, SampleStatus::ok);
+  return sample.level_m;
+}
+
 Horizontal from_twin(const std::filesystem::path& folder, const std::string& site,
                      const Asked& asked) {
   twin::Scenario scenario;
@@ -175,6 +211,15 @@ Horizontal from_twin(const std::filesystem::path& folder, const std::string& sit
       twin::EnvironmentSampler(environment).current({0, 0, asked.depth_m}, 0, 0);
   EXPECT_EQ(sample.status, SampleStatus::ok);
   return {sample.current_m_s.y, sample.current_m_s.x};  // NED
+}
+
+TEST_F(OneAnswer, OfTheSeaLevelToo) {
+  const std::filesystem::path store = issued_.path();
+  for (const Asked& asked : places()) {
+    const double library = level_from_library(store, asked);
+    EXPECT_EQ(level_from_profile(store, asked), library);
+    EXPECT_NEAR(level_from_http(store, asked), library, 6e-6);
+  }
 }
 
 TEST_F(OneAnswer, ComesFromEveryDoor) {

@@ -57,11 +57,16 @@ async function checkMetadata() {
     const collection = await expectDocument(collectionSchema, at);
     // The schema of collections puts these below "items" of an object, where nothing looks at them.
     for (const [name, each] of Object.entries(collection.parameter_names)) expectValid(parameterNames, name, each);
+    await expectDocument(features, `${at}/locations`, "application/geo+json");
+    // A stored product has been issued by nobody here.
+    if (listed.id.startsWith("product-")) {
+      documents += 2;
+      continue;
+    }
     const { instances } = await expectDocument(instancesSchema, `${at}/instances`);
     for (const { id } of instances) await expectDocument(collectionSchema, `${at}/instances/${id}`);
     const items = await expectDocument(features, `${at}/items`, "application/geo+json");
     for (const { id } of items.features) await expectDocument(feature, `${at}/items/${id}`, "application/geo+json");
-    await expectDocument(features, `${at}/locations`, "application/geo+json");
     await expectDocument(features, `${at}/instances/${instances[0].id}/locations`, "application/geo+json");
     documents += 5 + instances.length + items.features.length;
   }
@@ -108,7 +113,7 @@ async function expectReadable(path, document, domainType) {
 
 async function checkData() {
   const kinds = { currents: ["&z=5", "&z=0/20"], "currents-members": ["&z=5", "&z=0/20"], wind: ["&z=80", "&z=10/100"],
-                  "wind-members": ["&z=80", "&z=10/100"], waves: ["", ""] };
+                  "wind-members": ["&z=80", "&z=10/100"], waves: ["", ""], "sea-level": ["", ""] };
   for (const [collection, [one, many]] of Object.entries(kinds)) {
     for (const at of [`/collections/${collection}`, `/collections/${collection}/instances/farm_20250310T050000Z`]) {
       for (const [domainType, query] of queries(one, many)) {
@@ -126,7 +131,40 @@ async function checkData() {
   }
 }
 
-async function checkClient() {
+/** Stored products: each with the queries that it takes, at times of their own. */
+async function checkProducts() {
+  const own = "datetime=2025-03-10T02:00:00Z";
+  const kinds = { "product-currents-NWSHELF_ANALYSISFORECAST_PHY_004_013": ["&z=5", "&z=0/20"],
+                  "product-wind-WIND_GLO_PHY_L4_NRT_012_004": ["&z=10", ""] };
+  const { collections } = await get("/collections");
+  const listed = collections.map(({ id }) => id).filter((id) => id.startsWith("product-"));
+  assert.equal(listed.length, 3, listed);
+  for (const id of Object.keys(kinds)) assert(listed.includes(id), id);
+  for (const id of listed) {
+    const [one, many] = kinds[id] ?? ["", ""];
+    for (const [domainType, query] of [
+      ["Point", `/position?coords=POINT(2.41 57.21)&${own}${one}`],
+      ["PointSeries", `/position?coords=POINT(2.41 57.21)&${hours}${one}`],
+      [many ? "VerticalProfile" : "Point", `/position?coords=POINT(2.41 57.21)&${own}${many}`],
+      ["Point", `/position?coords=MULTIPOINT((2.41 57.21),(2.43 57.22))&${own}${one}`],
+      ["Grid", `/radius?coords=POINT(2.43 57.22)&within=8&within-units=km&${hours}${many}`],
+      ["Grid", `/area?coords=${area}&${own}${one}`],
+      ["Grid", `/cube?bbox=2.39,57.19,2.47,57.27&${hours}${many || one || "&z=0"}`],
+      ["PointSeries", `/locations/farm.5?${hours}${one}`],
+    ]) {
+      const path = `/collections/${id}${query}`;
+      const document = await get(path, "application/prs.coverage+json");
+      expectValid(covjson, path, document);
+      expectValid(edrCovjson, path, document);
+      await expectReadable(path, document, domainType);
+      expectValid(features, path, await get(`${path}&f=GeoJSON`, "application/geo+json"));
+      ++answers;
+    }
+  }
+  return listed;
+}
+
+async function checkClient(products) {
   const file = require.resolve("@camptocamp/ogc-client");
   const { OgcApiEndpoint } = await import(pathToFileURL(file));
   const endpoint = new OgcApiEndpoint(base);
@@ -134,7 +172,8 @@ async function checkClient() {
   const classes = await endpoint.conformanceClasses;
   assert(classes.includes("http://www.opengis.net/spec/ogcapi-edr-1/1.1/conf/core"), classes);
   const names = (await endpoint.allCollections).map(({ name }) => name).sort();
-  assert.deepEqual(names, ["currents", "currents-members", "waves", "wind", "wind-members"]);
+  const forecasts = ["currents", "currents-members", "sea-level", "waves", "wind", "wind-members"];
+  assert.deepEqual(names, [...forecasts, ...products].sort());
   const waves = await endpoint.getCollectionInfo("waves");
   assert.equal(waves.id ?? waves.name, "waves");
   return names.length;
@@ -142,6 +181,6 @@ async function checkClient() {
 
 await checkMetadata();
 await checkData();
-const found = await checkClient();
+const found = await checkClient(await checkProducts());
 console.log(`ajv accepts ${documents} documents and ${2 * answers} answers; covjson-reader read ${numbers} values of ${answers}; ` +
             `ogc-client discovers ${found} collections`);

@@ -98,4 +98,17 @@ Snapshot made_up_forecast(const MadeUpForecast& size) {
   return s;
 }
 
+void add_made_up_level(Snapshot& forecast) {
+  for (std::size_t c = 0; c < forecast.columns.size(); ++c) {
+    SeaLevel& level = forecast.columns[c].sea_level;
+    for (std::size_t t = 0; t < forecast.time.size(); ++t) {
+      const double hours = hours_between(UtcTime{}, forecast.time[t]);
+      level.level_m.push_back((1.5 + 0.1 * static_cast<double>(c)) *
+                              std::cos(2 * constants::pi * hours / 12.4206));
+      level.sigma_m.push_back(0.05 + 0.01 * static_cast<double>(t));
+      level.source.push_back(DataStatus::modelled);
+    }
+  }
+}
+
 }  // namespace slackwater::tests

@@ -21,4 +21,8 @@ struct MadeUpForecast {
 /// every second column lies below the bed. For tests of containers, not of forecasts.
 [[nodiscard]] Snapshot made_up_forecast(const MadeUpForecast& size);
 
+/// Gives each of its columns the level of a semidiurnal tide of 1.5 m, 0.1 m more a column, whose
+/// standard deviation grows from 0.05 m by 0.01 m a stamp.
+void add_made_up_level(Snapshot& forecast);
+
 }  // namespace slackwater::tests

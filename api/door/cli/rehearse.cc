@@ -5,12 +5,9 @@
 #include <optional>
 #include <thread>
 
-#include "api/ask/rehearse/mission_file.h"
-#include "api/ask/rehearse/rehearsal.h"
+#include "api/ask/rehearse/fly_mission.h"
 #include "api/ask/rehearse/risks.h"
-#include "api/ask/rehearse/seen_in_calm.h"
 #include "api/ask/rehearse/unchecked.h"
-#include "api/ask/rehearse/zones.h"
 #include "api/door/cli/command.h"
 #include "api/door/cli/output_file.h"
 #include "api/door/cli/progress.h"
@@ -27,7 +24,6 @@
 #include "fields/base/whole_file.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/chance/rank_rule.h"
-#include "twin/rehearse/expect_fit.h"
 
 namespace slackwater::api {
 namespace {
@@ -75,15 +71,6 @@ std::vector<UtcTime> starts_of(const RehearseArguments& arguments, const LoadedM
       starts.push_back(starts.front() + static_cast<Duration::rep>(i) * every);
   }
   return starts;
-}
-
-/// How many futures there are to fly in; of a forecast, further ones than issued are drawn.
-std::size_t hold_futures(const RehearseArguments& arguments, const Context& context, int threads,
-                         LoadedMission& mission) {
-  const std::size_t issued = mission.water.members_issued;
-  if (arguments.members == 0) return std::max<std::size_t>(issued, 1);
-  hold_members(mission.water, arguments.members, context.store_folder, threads);
-  return arguments.members;
 }
 
 /// The flight that is to be logged. @throws Error(usage) where it is not among those flown
@@ -230,12 +217,11 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
   if (!arguments.waves.empty()) height_errors = arguments.waves == "error";
   LoadedMission mission =
       load_mission(arguments.mission, context.store_folder, assumed, height_errors);
-  RehearsalPlan plan;
-  plan.threads = arguments.threads > 0
-                     ? arguments.threads
-                     : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  plan.starts = starts_of(arguments, mission, context);
-  plan.members = hold_futures(arguments, context, plan.threads, mission);
+  const int threads = arguments.threads > 0
+                          ? arguments.threads
+                          : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  RehearsalPlan plan = rehearsal_plan(mission, starts_of(arguments, mission, context),
+                                      arguments.members, threads, context.store_folder);
   const std::optional<twin::FlightCase> logged = logged_of(arguments, plan, context);
   const bool adapts = arguments.adapt_intensity || !arguments.adapted.empty();
   if (const std::size_t least = twin::members_needed(twin::IntensityQuestion{}.keep_share);
@@ -245,32 +231,16 @@ void run_rehearse(const RehearseArguments& arguments, const Context& context) {
                           "that the reserve is kept in nine of ten; give --members {}",
                           plan.members, least, least));
   plan.narrow_enough = arguments.narrow_enough;
-  plan.flights.workers = mission.expanded.workers;
-  // A page draws some hundreds of places of a way.
-  plan.flights.sample_every_s = std::clamp(mission.scenario.duration_s / 240, 5.0, 60.0);
-  plan.forbidden = [&](UtcTime start) { return zone_in_the_way(mission, start); };
   ProgressBar progress("rehearse " + mission.name, context.json);
   bool is_first = true;
-  with_context(arguments.mission.string(), [&] {
-    twin::Scenario first = mission.scenario;
-    first.start = plan.starts.front();
-    twin::expect_fit(mission.expanded, twin::set_up(first, mission.water.surround));
-    expect_seen_in_calm(mission);
-  });
   const Rehearsal rehearsal = with_context(arguments.mission.string(), [&] {
-    return rehearse(mission.scenario, mission.water.surround, plan,
-                    [&](double share, const Rehearsal& so_far) {
-                      if (is_first && share < 1 && !context.json)
-                        std::fprintf(stderr, "first answer: %s\n", verdict_of(so_far).c_str());
-                      is_first = false;
-                      progress.update(share);
-                    });
+    return fly_mission(mission, plan, [&](double share, const Rehearsal& so_far) {
+      if (is_first && share < 1 && !context.json)
+        std::fprintf(stderr, "first answer: %s\n", verdict_of(so_far).c_str());
+      is_first = false;
+      progress.update(share);
+    });
   });
-  if (std::all_of(rehearsal.starts.begin(), rehearsal.starts.end(),
-                  [](const StartOutcome& start) { return !start.forbidden.empty(); }))
-    throw Error(ErrorKind::invalid_input, arguments.mission.string() + ": " +
-                                              rehearsal.starts.front().forbidden +
-                                              "; move the start, or the work");
   std::vector<Advice> advice;
   if (arguments.advice)
     advice =

@@ -6,12 +6,16 @@
 #include "api/door/cli/command.h"
 #include "api/door/cli/serve_health.h"
 #include "api/door/cli/stop_signals.h"
+#include "api/door/desk/desk_routes.h"
+#include "api/door/desk/interface_document.h"
+#include "api/door/desk/page_routes.h"
 #include "api/door/edr/service.h"
 #include "api/door/http/server.h"
 #include "api/door/live/forecast_service.h"
 #include "api/door/sessions/host_routes.h"
 #include "api/door/sessions/interface_document.h"
 #include "api/issued/issued_fields.h"
+#include "api/program/paths.h"
 #include "api/program/version.h"
 #include "fields/base/log.h"
 
@@ -24,7 +28,7 @@ struct ServeArguments {
   int threads = 2;
   std::string token_file;
   std::string base_url;
-  std::string stale_after;
+  std::string stale_after, at;
   std::string sessions;
   std::optional<int> domain;
   bool loopback = false;
@@ -59,8 +63,16 @@ std::optional<std::string> token_of(const std::string& file) {
   return token;
 }
 
-Freshness freshness_from(const std::string& text) {
+/// A clock that shows this time now and goes on from there; the machine's where none is said.
+std::function<UtcTime()> clock_from(const std::string& at, const Context& context) {
+  if (at.empty()) return machine_time;
+  const Duration behind = machine_time() - context.time_of("--at", at);
+  return [behind] { return machine_time() - behind; };
+}
+
+Freshness freshness_from(const std::string& text, const std::function<UtcTime()>& now) {
   Freshness freshness;
+  freshness.now = now;
   if (text.empty()) return freshness;
   freshness.stale_after = option_value("--stale-after", text, parse_duration);
   if (freshness.stale_after <= Duration(0)) {
@@ -103,7 +115,8 @@ http::Limits limits_for(std::size_t sessions_at_once) {
 
 void run_serve(const ServeArguments& arguments, const Context& context) {
   const std::string base_url = checked_base(arguments.base_url);
-  const Freshness freshness = freshness_from(arguments.stale_after);
+  const Freshness freshness =
+      freshness_from(arguments.stale_after, clock_from(arguments.at, context));
   const StopSignals stop;
   http::ServerOptions options;
   options.address = arguments.address;
@@ -118,14 +131,20 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   const auto people = session_host(arguments, context);
   const auto forecasts = std::make_shared<IssuedFields>(context.store_folder);
   http::Router router;
-  if (!people) {
-    edr::add_routes(router, forecasts, base_url, freshness);
-  } else {
-    edr::add_routes(router, forecasts, base_url, freshness, sessions::interface_document());
+  edr::Beside beside{desk::interface_document(), desk::front_page};
+  desk::add_page_routes(router);
+  desk::add_routes(router, {forecasts, freshness, context.store_folder, data_folder(),
+                            static_cast<std::size_t>(arguments.threads)});
+  options.guards_itself = desk::is_guarded_here;
+  if (people) {
+    beside.interface.merge_patch(sessions::interface_document());
     sessions::add_routes(router, people);
-    options.guards_itself = sessions::is_for_supervisors;
+    options.guards_itself = [](const http::Request& request) {
+      return desk::is_guarded_here(request) || sessions::is_for_supervisors(request);
+    };
     options.limits = limits_for(people->most_at_once());
   }
+  edr::add_routes(router, forecasts, base_url, freshness, beside);
   std::vector<std::string> labels = router.labels();
   labels.insert(labels.end(), {"/health", "/health/fresh", "/metrics"});
   options.metrics = std::make_shared<http::Metrics>(labels);
@@ -181,6 +200,9 @@ void add_serve(CLI::App& app, Context& context) {
   command->add_option("--stale-after", arguments->stale_after,
                       "a forecast older than this is called stale by /, /health and /metrics "
                       "(default 36h)");
+  command->add_option("--at", arguments->at,
+                      "show this time and go on from there, UTC, for training and tests (default: "
+                      "the machine's clock)");
   command->add_option("--sessions", arguments->sessions,
                       "live sessions that people may begin and take part in (page /session), and "
                       "their tokens, as FILE.yaml");

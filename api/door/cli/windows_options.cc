@@ -1,40 +1,8 @@
 #include "api/door/cli/windows_options.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <thread>
-
-#include "api/program/paths.h"
 
 namespace slackwater::api {
-namespace {
-
-int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
-
-Duration positive(std::string_view option, const std::string& text) {
-  const Duration found = option_value(option, text, parse_duration);
-  if (found < std::chrono::minutes(1) || found > std::chrono::days(1))
-    throw Error(ErrorKind::usage,
-                std::string(option) + ": found " + text + ", expected 1min to 1d");
-  return found;
-}
-
-AlphaPractice practice_of(const std::vector<std::string>& named, const Site& site,
-                          const Context& context, int threads) {
-  std::vector<std::filesystem::path> files;
-  for (const std::string& name : named)
-    if (name != "errors") files.emplace_back(name);
-  if (files.size() == named.size()) return AlphaPractice::of_tables(files);
-  if (files.size() + 1 < named.size())
-    throw Error(ErrorKind::usage, "--alpha: found errors twice; name it once");
-  return AlphaPractice::of_errors(
-      twin::with_verified(published_height_errors(),
-                          verified_heights(site, context.store_folder, threads)),
-      files);
-}
-
-}  // namespace
-
 void add_windows_options(CLI::App& command, WindowsArguments& arguments) {
   command.add_option("--site", arguments.site, "id, or path of a site file")->required();
   command.add_option("--day", arguments.day,
@@ -90,68 +58,19 @@ void add_windows_options(CLI::App& command, WindowsArguments& arguments) {
       ->check(CLI::Range(1, 64));
 }
 
-namespace {
-
-/// The hours in which a site works, where nobody says others.
-std::optional<twin::DayHours> shift_of(const Site& site) {
-  if (site.shift.empty()) return std::nullopt;
-  return with_context("site " + site.id + ", shift",
-                      [&] { return twin::parse_day_hours(site.shift); });
-}
-
-}  // namespace
-
 WindowsQuestion windows_question(const WindowsArguments& arguments, const Context& context) {
-  WindowsQuestion question;
-  question.site = arguments.site;
-  question.forecast = arguments.forecast;
-  if (!arguments.day.empty()) question.day = option_value("--day", arguments.day, parse_day);
-  question.tasks = arguments.tasks;
-  question.turbines = arguments.turbines;
-  if (!arguments.from.empty()) question.from = context.time_of("--from", arguments.from);
-  if (!arguments.to.empty()) question.to = context.time_of("--to", arguments.to);
-  question.every = positive("--every", arguments.every);
-  if (!arguments.contingency.empty())
-    question.contingency = option_value("--contingency", arguments.contingency, parse_duration);
-  question.members = arguments.members;
-  question.waves_as_forecast = arguments.waves == "forecast";
-  for (const std::string& text : arguments.assume)
-    question.assumed.push_back(twin::parse_assumption(text));
-  if (!arguments.light.empty())
-    question.light = option_value("--light", arguments.light, twin::parse_light);
-  if (!arguments.shift.empty())
-    question.shift = option_value("--shift", arguments.shift, twin::parse_day_hours);
-  if (!arguments.zone.empty())
-    question.zone = option_value("--timezone", arguments.zone,
-                                 [](const std::string& name) { return TimeZone::named(name); });
-  const Site site = find_site(arguments.site, site_folders(context.store_folder));
-  if (arguments.zone.empty()) question.zone = site.time_zone;
-  if (arguments.shift.empty()) question.shift = shift_of(site);
-  question.period_from_start = arguments.period_from == "start";
-  if (arguments.marginal > arguments.go)
-    throw Error(ErrorKind::usage, "found --marginal above --go, expected at most as much");
-  question.rule = {arguments.go, arguments.marginal};
-  question.threads = arguments.threads > 0 ? arguments.threads : cores();
-  question.practice = practice_of(arguments.alpha, site, context, question.threads);
-  return question;
+  return windows_question(arguments, WordsSaid{"--", context.store_folder, [&context] {
+                                                 return context.time_of("--from", "now");
+                                               }});
 }
 
 std::optional<FlyWindows> flights_wanted(const WindowsArguments& arguments) {
   if (arguments.fly.empty()) return std::nullopt;
   FlyWindows settings;
-  settings.most_wall_s = std::chrono::duration<double>(positive("--fly", arguments.fly)).count();
-  settings.every = positive("--fly-every", arguments.fly_every);
+  settings.most_wall_s =
+      std::chrono::duration<double>(positive_duration("--fly", arguments.fly)).count();
+  settings.every = positive_duration("--fly-every", arguments.fly_every);
   return settings;
-}
-
-WindowsQuestion plain_question(const Site& site, const std::string& named) {
-  WindowsQuestion question;
-  question.site = named;
-  question.zone = site.time_zone;
-  question.shift = shift_of(site);
-  question.practice = AlphaPractice::of_tables({});
-  question.threads = cores();
-  return question;
 }
 
 int exit_code_of(twin::Verdict verdict) noexcept { return 10 + static_cast<int>(verdict); }

@@ -7,6 +7,7 @@
 #include "api/door/edr/read/crs.h"
 #include "api/door/edr/read/feature_filter.h"
 #include "api/door/edr/sample/location.h"
+#include "api/door/edr/sample/product_queries.h"
 #include "api/door/edr/sample/queries.h"
 #include "api/door/edr/sample/site_choice.h"
 #include "api/door/edr/write/body.h"
@@ -51,6 +52,12 @@ Format format_of(const Request& request, const QueryString& query,
   const auto f = query.find("f");
   if (f && f->empty()) throw bad_parameter("f", *f, "a format, or no f at all");
   return choose_format(f.value_or(""), request.accept, offered);
+}
+
+/// It asks for a page, and for none of the formats by name.
+bool is_browser(const Request& request) {
+  const QueryString query = QueryString::parse(request.query);
+  return query.all().empty() && format_of(request, query, document_formats) == Format::html;
 }
 
 Response page_response(std::string html) {
@@ -137,6 +144,43 @@ class Service {
     return {type.plan(std::move(selection), query), format};
   }
 
+  /// The answer of a stored product, where the path names one; else nothing. All of it is long
+  /// work: it reads files. The product is looked up again when its turn comes.
+  std::optional<Outcome> product_answered(const Request& request, const QueryType* type,
+                                          const PathParameters& path, bool of_instance) const {
+    const std::string& id = path.at("collectionId");
+    if (forecasts_->catalogue()->product(id) == nullptr) return std::nullopt;
+    if (of_instance) throw no_instances(id);
+    if (type != nullptr && !is_for_products(type->name)) {
+      throw Error(ErrorKind::not_found, "found the query '" + std::string(type->name) +
+                                            "' of a stored product, which is asked by position, "
+                                            "radius, area, cube or locations");
+    }
+    const QueryString query = QueryString::parse(request.query);
+    expect_known(query, type != nullptr ? type->parameters : location_parameters());
+    const Format format = expect_format(request, query);
+    return LongWork{[=, this]() -> Response {
+      const std::shared_ptr<const ForecastCatalogue> catalogue = forecasts_->catalogue();
+      const StoredProduct* product = catalogue->product(id);
+      if (product == nullptr) {
+        throw Error(ErrorKind::not_found,
+                    "the product '" + id + "' was pruned from the store; see /collections");
+      }
+      const std::filesystem::path& store = forecasts_->folder();
+      Answer answer = type != nullptr
+                          ? product_answer(store, *product, *type, query)
+                          : product_answer_at(store, *product, place_of(*catalogue, path), query);
+      return told(request, std::move(answer), format, in_force_max_age_s);
+    }};
+  }
+
+  /// What a stored product has none of.
+  [[nodiscard]] static Error no_instances(const std::string& id) {
+    return {ErrorKind::not_found,
+            "found no issued forecasts in '" + id +
+                "', which is a stored product; its runs are told apart by forecast_period"};
+  }
+
   Planned location(const Request& request, const PathParameters& path, bool of_instance) const {
     const QueryString query = QueryString::parse(request.query);
     const Collection& collection = collection_named(path.at("collectionId"));
@@ -184,6 +228,20 @@ class Service {
   }
 
  private:
+  /// Of a location by its name.
+  static GeoPoint place_of(const ForecastCatalogue& catalogue, const PathParameters& path) {
+    const std::string& text = path.at("locationId");
+    const std::optional<LocationName> name = location_named(text, catalogue);
+    if (!name) {
+      throw Error(ErrorKind::not_found, "found no location '" + shown(text) +
+                                            "'; the collection's /locations lists what there is");
+    }
+    for (const auto& site : catalogue.sites)
+      if (site.site_id == name->site_id)
+        return site.field->snapshot().columns.at(name->column).point;
+    return {};
+  }
+
   static Format expect_format(const Request& request, const QueryString& query) {
     if (const auto crs = query.find("crs")) expect_supported_crs(*crs);
     return format_of(request, query, answer_formats());
@@ -243,13 +301,14 @@ std::vector<std::string> own_header_fields() { return provenance_fields(); }
 
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url, const Freshness& freshness) {
-  add_routes(router, std::move(forecasts), base_url, freshness, nlohmann::json::object());
+  add_routes(router, std::move(forecasts), base_url, freshness,
+             Beside{nlohmann::json::object(), {}});
 }
 
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
-                const std::string& base_url, const Freshness& freshness,
-                const nlohmann::json& beside) {
-  const auto service = std::make_shared<const Service>(std::move(forecasts), base_url, beside);
+                const std::string& base_url, const Freshness& freshness, const Beside& beside) {
+  const auto service =
+      std::make_shared<const Service>(std::move(forecasts), base_url, beside.interface);
   using Catalogue = ForecastCatalogue;
   const auto add = [&](const std::string& pattern, std::span<const Format> formats,
                        std::span<const std::string_view> others, auto make) {
@@ -267,19 +326,29 @@ void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
   const auto features = [&](const std::string& pattern, auto make) {
     add(pattern, feature_formats, FeatureFilter::parameters(), make);
   };
-  const auto data_route = [&](auto make_plan, bool of_instance) {
-    return [=](const Request& request, const PathParameters& path) {
+  const auto data_route = [&](auto make_plan, const QueryType* type, bool of_instance) {
+    return [=](const Request& request, const PathParameters& path) -> Outcome {
+      if (auto outcome = service->product_answered(request, type, path, of_instance))
+        return *std::move(outcome);
       return service->answered(request, path, of_instance, make_plan);
     };
   };
-  const auto collection_of = [](const PathParameters& path) -> const Collection& {
-    return collection_named(path.at("collectionId"));
+  // Of what has issued forecasts.
+  const auto collection_of = [](const Catalogue& catalogue,
+                                const PathParameters& path) -> const Collection& {
+    const std::string& id = path.at("collectionId");
+    if (catalogue.product(id) != nullptr) throw Service::no_instances(id);
+    return collection_named(id);
   };
   const std::string collection = "/collections/{collectionId}";
   const std::string instance = collection + "/instances/{instanceId}";
 
-  document("/", [=](const std::string& base, const Catalogue& catalogue, const auto&, const auto&) {
-    return landing_page(base, catalogue, freshness);
+  router.add("GET", "/", [=, front_page = beside.front_page](const Request& request) -> Outcome {
+    if (front_page && is_browser(request)) return front_page(request);
+    return service->document(request, document_formats, {},
+                             [&](const std::string& base, const Catalogue& catalogue, const auto&) {
+                               return landing_page(base, catalogue, freshness);
+                             });
   });
   document("/conformance", [](const std::string&, const Catalogue&, const auto&, const auto&) {
     return conformance();
@@ -290,32 +359,36 @@ void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                               const auto&) { return collections_document(base, catalogue); });
   document(collection,
            [=](const std::string& base, const Catalogue& catalogue, const auto& path, const auto&) {
-             return collection_document(base, collection_of(path), catalogue);
+             if (const StoredProduct* product = catalogue.product(path.at("collectionId")))
+               return product_document(base, *product, catalogue);
+             return collection_document(base, collection_of(catalogue, path), catalogue);
            });
   document(collection + "/instances",
            [=](const std::string& base, const Catalogue& catalogue, const auto& path, const auto&) {
-             return instances_document(base, collection_of(path), catalogue);
+             return instances_document(base, collection_of(catalogue, path), catalogue);
            });
   document(instance,
            [=](const std::string& base, const Catalogue& catalogue, const auto& path, const auto&) {
-             return instance_document(base, collection_of(path), catalogue,
+             return instance_document(base, collection_of(catalogue, path), catalogue,
                                       service->instance(catalogue, path.at("instanceId")));
            });
   features(collection + "/items", [=](const std::string& base, const Catalogue& catalogue,
                                       const auto& path, const QueryString& query) {
-    return items_document(base, collection_of(path), catalogue, query);
+    return items_document(base, collection_of(catalogue, path), catalogue, query);
   });
   add(collection + "/items/{itemId}", feature_formats, {},
       [=](const std::string& base, const Catalogue& catalogue, const auto& path, const auto&) {
-        return item_document(base, collection_of(path), catalogue,
+        return item_document(base, collection_of(catalogue, path), catalogue,
                              service->instance(catalogue, path.at("itemId")));
       });
   features(collection + "/locations", [=](const std::string& base, const Catalogue& catalogue,
                                           const auto& path, const QueryString& query) {
+    const std::string at = base + "/collections/" + path.at("collectionId");
+    if (const StoredProduct* product = catalogue.product(path.at("collectionId")))
+      return product_locations_document(at, *product, catalogue, query);
     std::vector<std::shared_ptr<const Field>> fields;
     for (const auto& site : catalogue.sites) fields.push_back(site.field);
-    return locations_document(base + "/collections/" + path.at("collectionId"), collection_of(path),
-                              fields, query);
+    return locations_document(at, collection_of(catalogue, path), fields, query);
   });
   features(instance + "/locations", [=](const std::string& base, const Catalogue& catalogue,
                                         const auto& path, const QueryString& query) {
@@ -323,7 +396,7 @@ void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
     static_cast<void>(service->instance(catalogue, name));
     return locations_document(
         base + "/collections/" + path.at("collectionId") + "/instances/" + name,
-        collection_of(path), {service->field(name)}, query);
+        collection_of(catalogue, path), {service->field(name)}, query);
   });
   for (const bool of_instance : {false, true}) {
     const std::string& at = of_instance ? instance : collection;
@@ -333,14 +406,14 @@ void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                      [=, type = &type](const Request& request, const PathParameters& path) {
                        return service->data(request, *type, path, of_instance);
                      },
-                     of_instance));
+                     &type, of_instance));
     }
     router.add("GET", at + "/locations/{locationId}",
                data_route(
                    [=](const Request& request, const PathParameters& path) {
                      return service->location(request, path, of_instance);
                    },
-                   of_instance));
+                   nullptr, of_instance));
   }
 }
 

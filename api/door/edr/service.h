@@ -1,6 +1,6 @@
 #pragma once
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -16,11 +16,13 @@ namespace slackwater::api::edr {
 /// @param freshness  when the list of sites calls a forecast old
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url = {}, const Freshness& freshness = {});
-/// The same of a server that has other routes beside these.
-/// @param beside  what the document of `/api` says of them: merged into it (RFC 7396)
+/// What a server has beside these routes.
+struct Beside {
+  nlohmann::json interface;  ///< merged into the document of `/api` (RFC 7396)
+  http::Handler front_page;  ///< for browsers that ask for `/`; empty: the list of links
+};
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
-                const std::string& base_url, const Freshness& freshness,
-                const nlohmann::json& beside);
+                const std::string& base_url, const Freshness& freshness, const Beside& beside);
 
 /// Header fields that answers carry beside those of HTTP, for
 /// `http::ServerOptions::exposed_fields`.

@@ -25,6 +25,16 @@ std::optional<store::ForecastRow> row_of(store::Store& store, const Morning& mor
   return std::nullopt;
 }
 
+void write(const MadeMorning& made, const Site& site, const std::string& generated) {
+  const Field& field = *made.morning.windows.water.surround.field;
+  ForecastPage page =
+      page_of(std::make_shared<const Snapshot>(field.snapshot()), site, made.known, generated);
+  page.about = day_of(made.morning.windows.from);
+  write_report(morning_page(made.morning, page), made.html);
+}
+
+}  // namespace
+
 KnownForecast known_of(const Morning& morning, const Site& site,
                        const std::filesystem::path& store_folder) {
   KnownForecast known;
@@ -46,16 +56,6 @@ KnownForecast known_of(const Morning& morning, const Site& site,
   if (failure) known.past.not_verified = "Not verified: " + failure->why;
   return known;
 }
-
-void write(const MadeMorning& made, const Site& site, const std::string& generated) {
-  const Field& field = *made.morning.windows.water.surround.field;
-  ForecastPage page =
-      page_of(std::make_shared<const Snapshot>(field.snapshot()), site, made.known, generated);
-  page.about = day_of(made.morning.windows.from);
-  write_report(morning_page(made.morning, page), made.html);
-}
-
-}  // namespace
 
 ForecastPage page_of(std::shared_ptr<const Snapshot> forecast, const Site& site,
                      const KnownForecast& known, const std::string& generated) {

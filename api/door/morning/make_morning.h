@@ -16,6 +16,10 @@ struct KnownForecast {
   PastSkill past;
 };
 
+/// What the store says of the forecast that a morning rests on, and of how those before it did.
+[[nodiscard]] KnownForecast known_of(const Morning& morning, const Site& site,
+                                     const std::filesystem::path& store_folder);
+
 /// A morning made from beginning to end, and where it lies.
 struct MadeMorning {
   Morning morning;

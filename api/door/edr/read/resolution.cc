@@ -17,4 +17,9 @@ std::optional<std::size_t> parse_resolution(std::string_view parameter, std::str
   return *count == 0 ? std::nullopt : count;
 }
 
+std::optional<std::size_t> resolution_in(const QueryString& query, std::string_view key) {
+  const auto text = query.find(key);
+  return text ? parse_resolution(key, *text) : std::nullopt;
+}
+
 }  // namespace slackwater::api::edr

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,14 @@ struct Coverage {
   std::vector<std::vector<double>> values;  ///< per parameter of the answer
 };
 
+/// Of values that are a stored product's own: which they are.
+struct ProductSource {
+  std::string product_id;
+  std::string dataset_id;            ///< empty: its files do not say
+  std::vector<std::string> runs;     ///< "analysis", "forecast of 2024-06-11T00:00:00Z"
+  std::vector<std::string> sources;  ///< sha256 of the product files
+};
+
 /// Where an answer comes from; every format carries it.
 struct Provenance {
   std::string site_id;
@@ -50,6 +59,8 @@ struct Provenance {
   bool degraded = false;
   std::vector<std::string> attributions;
   std::string code_version;
+  /// Then there is no site, instance, issue, day or headline, and the code is what answers.
+  std::optional<ProductSource> product{};
 };
 
 struct Answer {

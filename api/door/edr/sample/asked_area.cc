@@ -57,4 +57,25 @@ Box shared(const Box& asked, const Box& area) noexcept {
   return best;
 }
 
+std::vector<double> even_axis(double low, double high, std::size_t count) {
+  if (count == 1 || !(high > low)) return {0.5 * (low + high)};
+  std::vector<double> axis(count);
+  for (std::size_t i = 0; i < count; ++i)
+    axis[i] = low + (high - low) * static_cast<double>(i) / static_cast<double>(count - 1);
+  return axis;
+}
+
+Axes some_place_in(const Box& box, const std::function<bool(double, double)>& is_inside) {
+  constexpr std::size_t fine = 33;
+  const double x = 0.5 * (box.west_deg + box.east_deg);
+  const double y = 0.5 * (box.south_deg + box.north_deg);
+  if (is_inside(x, y)) return {{x}, {y}};
+  for (const double yy : even_axis(box.south_deg, box.north_deg, fine)) {
+    for (const double xx : even_axis(box.west_deg, box.east_deg, fine)) {
+      if (is_inside(xx, yy)) return {{xx}, {yy}};
+    }
+  }
+  return {{x}, {y}};
+}
+
 }  // namespace slackwater::api::edr

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <vector>
 
 #include "api/door/edr/read/geometry.h"
 
@@ -26,5 +27,19 @@ struct AskedArea {
 /// What two boxes share, with the second moved by whole turns to where they share most;
 /// west > east for nothing.
 [[nodiscard]] Box shared(const Box& asked, const Box& area) noexcept;
+
+/// Places of a grid.
+struct Axes {
+  std::vector<double> longitude_deg;
+  std::vector<double> latitude_deg;
+};
+
+/// Evenly from one to the other, both included; the middle where it is one.
+[[nodiscard]] std::vector<double> even_axis(double low, double high, std::size_t count);
+
+/// A place inside a shape that holds none of what is asked for: its middle, or any of a fine grid
+/// over it.
+[[nodiscard]] Axes some_place_in(const Box& box,
+                                 const std::function<bool(double, double)>& is_inside);
 
 }  // namespace slackwater::api::edr

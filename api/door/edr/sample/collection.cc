@@ -1,5 +1,6 @@
 #include "api/door/edr/sample/collection.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "fields/base/error.h"
@@ -37,7 +38,14 @@ void sample_member(const Field& field, std::span<const Place> places, std::size_
   field.sample_sea(places, out);
 }
 
+void sample_member(const Field& field, std::span<const Place> places, std::size_t member,
+                   std::span<SeaLevelSample> out) {
+  field.sample_sea_level(places, out, member);
+}
+
 void count_doubtful(std::span<const WindSample> /*samples*/, Absences& /*absences*/) {}
+
+void count_doubtful(std::span<const SeaLevelSample> /*samples*/, Absences& /*absences*/) {}
 
 void count_doubtful(std::span<const CurrentSample> samples, Absences& absences) {
   for (const CurrentSample& s : samples)
@@ -105,6 +113,12 @@ std::vector<Parameter> parameters_of(const Collection& collection, std::size_t m
   };
   std::visit(add_all, collection.quantities);
   return list;
+}
+
+bool is_offered_by(const Collection& collection, const Snapshot& forecast) {
+  if (!std::holds_alternative<Quantities<SeaLevelSample>>(collection.quantities)) return true;
+  return std::any_of(forecast.columns.begin(), forecast.columns.end(),
+                     [](const ForecastColumn& column) { return !column.sea_level.empty(); });
 }
 
 std::vector<double> native_levels(const Collection& collection, const Field& field) {

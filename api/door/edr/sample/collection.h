@@ -30,12 +30,14 @@ struct Collection {
   std::vector<std::string> keywords;
   Vertical vertical = Vertical::none;
   /// Its parameters are these; with `is_of_members` these of each member, member by member.
-  std::variant<Quantities<CurrentSample>, Quantities<WindSample>, Quantities<SeaSample>> quantities;
+  std::variant<Quantities<CurrentSample>, Quantities<WindSample>, Quantities<SeaSample>,
+               Quantities<SeaLevelSample>>
+      quantities;
   bool is_of_members = false;
 };
 
-/// currents, currents-members, wind, wind-members, waves (collections.cc). Members have collections
-/// of their own, because who names no parameter is given all of a collection's.
+/// currents, currents-members, wind, wind-members, waves, sea-level (collections.cc). Members have
+/// collections of their own, because who names no parameter is given all of a collection's.
 [[nodiscard]] std::span<const Collection> collections();
 /// @throws Error(not_found) that lists what there is
 [[nodiscard]] const Collection& collection_named(const std::string& id);
@@ -43,6 +45,10 @@ struct Collection {
 /// What a collection offers of a forecast with so many members.
 [[nodiscard]] std::vector<Parameter> parameters_of(const Collection& collection,
                                                    std::size_t members);
+
+/// Whether any of a forecast's columns may have a value: a collection of sea levels says once, as a
+/// refusal, that a forecast has none.
+[[nodiscard]] bool is_offered_by(const Collection& collection, const Snapshot& forecast);
 
 /// The vertical positions at which a collection is given where none are asked for: the forecast's
 /// native levels, or 10 m for wind. Empty without a vertical.

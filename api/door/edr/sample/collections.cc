@@ -43,6 +43,12 @@ double significant_height(const SeaSample& s) { return s.sea.significant_height_
 double peak_period(const SeaSample& s) { return s.sea.peak_period_s; }
 double wave_from_direction(const SeaSample& s) { return s.sea.from_direction_deg; }
 
+double level(const SeaLevelSample& s) { return s.level_m; }
+template <double SeaLevelQuantiles::*quantile>
+double level_of(const SeaLevelSample& s) {
+  return quantiles_of(s).*quantile;
+}
+
 /// `Quantity::append` by one of the functions above.
 template <auto value, typename Sample>
 void each(std::span<const Sample> samples, std::vector<double>& values) {
@@ -77,9 +83,8 @@ Parameter direction(const std::string& name, const std::string& label) {
 }
 
 Parameter quantile(const std::string& name, const std::string& label, const std::string& ending,
-                   const std::string& method) {
-  return {name + "_" + ending,    name,  label, label + ", " + method, metre_per_second.symbol,
-          metre_per_second.label, method};
+                   const std::string& method, Unit unit = metre_per_second) {
+  return {name + "_" + ending, name, label, label + ", " + method, unit.symbol, unit.label, method};
 }
 
 // --- the tables; of velocities the two components come first ---
@@ -132,10 +137,26 @@ Quantities<SeaSample> wave_quantities() {
   return all;
 }
 
+Quantities<SeaLevelSample> sea_level_quantities() {
+  const char* name = "sea_surface_height_above_geoid";
+  const char* label = "Sea level";
+  using Now = SeaLevelSample;
+  using Q = SeaLevelQuantiles;
+  static const std::array<Quantity<Now>, 4> all{{
+      {described(name, label, metre,
+                 "Height of the sea surface above mean sea level (the geoid), positive up"),
+       each<level>},
+      {quantile(name, label, "p10", "quantile 0.1", metre), each<level_of<&Q::p10_m>>},
+      {quantile(name, label, "p50", "quantile 0.5", metre), each<level_of<&Q::p50_m>>},
+      {quantile(name, label, "p90", "quantile 0.9", metre), each<level_of<&Q::p90_m>>},
+  }};
+  return all;
+}
+
 }  // namespace
 
 std::span<const Collection> collections() {
-  static const std::array<Collection, 5> all{
+  static const std::array<Collection, 6> all{
       {{"currents",
         "Currents",
         "Eulerian current of the central forecast and its 10, 50 and 90 % "
@@ -172,7 +193,17 @@ std::span<const Collection> collections() {
         "from",
         {"waves", "sea state", "forecast"},
         Vertical::none,
-        wave_quantities()}}};
+        wave_quantities()},
+       {"sea-level",
+        "Sea level",
+        "Height of the sea surface above mean sea level (the geoid), positive up, with its 10, 50 "
+        "and 90 % quantiles: the tide, or a product's level where it forecasts one. Not above "
+        "chart "
+        "datum, which no forecast states. Depths and heights of other collections do not move with "
+        "it",
+        {"tide", "sea level", "water level", "forecast"},
+        Vertical::none,
+        sea_level_quantities()}}};
   return all;
 }
 

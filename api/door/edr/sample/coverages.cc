@@ -1,9 +1,11 @@
 #include "api/door/edr/sample/coverages.h"
 
 #include <cmath>
+#include <set>
 #include <variant>
 
 #include "fields/base/constants.h"
+#include "fields/base/text.h"
 #include "fields/service/wave_source.h"
 
 namespace slackwater::api::edr {
@@ -18,13 +20,22 @@ std::vector<double> shown_axis(const std::vector<double>& verticals) {
 /// What a collection without a vertical is sampled at.
 double sampled(double vertical) { return std::isnan(vertical) ? 0.0 : vertical; }
 
+/// "product forecast and harmonic tide": all that any column has.
+std::string level_sources_text(const Snapshot& forecast) {
+  std::set<std::string_view> sources;
+  for (const ForecastColumn& column : forecast.columns)
+    for (const DataStatus source : column.sea_level.source)
+      sources.insert(text_of_level_source(source));
+  return joined(std::vector<std::string_view>(sources.begin(), sources.end()), " and ");
+}
+
+}  // namespace
+
 DomainType domain_at_point(std::size_t times, std::size_t verticals) {
   if (times > 1 && verticals > 1) return DomainType::grid;
   if (verticals > 1) return DomainType::vertical_profile;
   return times > 1 ? DomainType::point_series : DomainType::point;
 }
-
-}  // namespace
 
 Coverage at_point(const Selection& s, double longitude_deg, double latitude_deg,
                   const std::vector<UtcTime>& times, const std::vector<double>& verticals,
@@ -122,6 +133,8 @@ Answer answer_of(Selection s, std::vector<Coverage> coverages, const Absences& a
       !has_given_waves_only(snapshot)) {
     answer.notes.push_back("source of the waves: " + wave_sources_text(snapshot));
   }
+  if (std::holds_alternative<Quantities<SeaLevelSample>>(s.collection->quantities))
+    answer.notes.push_back("source of the level: " + level_sources_text(snapshot));
   answer.coverages = std::move(coverages);
   return answer;
 }

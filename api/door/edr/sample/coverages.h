@@ -10,6 +10,9 @@
 
 namespace slackwater::api::edr {
 
+/// What a place with so many times and levels is.
+[[nodiscard]] DomainType domain_at_point(std::size_t times, std::size_t verticals);
+
 /// Series and profiles at one place: Point, PointSeries, VerticalProfile, or a Grid of one cell
 /// where both times and levels are many.
 [[nodiscard]] Coverage at_point(const Selection& selection, double longitude_deg,

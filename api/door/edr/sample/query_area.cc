@@ -19,26 +19,13 @@ namespace {
 
 using Inside = std::function<bool(double, double)>;
 
-std::vector<double> even_axis(double low, double high, std::size_t count) {
-  if (count == 1 || !(high > low)) return {0.5 * (low + high)};
-  std::vector<double> axis(count);
-  for (std::size_t i = 0; i < count; ++i)
-    axis[i] = low + (high - low) * static_cast<double>(i) / static_cast<double>(count - 1);
-  return axis;
-}
-
-/// The columns of the forecast within the shape, as axes of a grid.
-struct Axes {
-  std::vector<double> longitude_deg;
-  std::vector<double> latitude_deg;
-};
-
 void add(std::vector<double>& axis, double value) {
   for (const double known : axis)
     if (std::abs(known - value) < 2e-5) return;
   axis.push_back(value);
 }
 
+/// The columns of the forecast within the shape, as axes of a grid.
 Axes columns_within(const Selection& s, const Box& box, const Inside& is_inside) {
   Axes axes;
   for (const ForecastColumn& column : s.field->snapshot().columns) {
@@ -51,20 +38,6 @@ Axes columns_within(const Selection& s, const Box& box, const Inside& is_inside)
   std::sort(axes.longitude_deg.begin(), axes.longitude_deg.end());
   std::sort(axes.latitude_deg.begin(), axes.latitude_deg.end());
   return axes;
-}
-
-/// A place inside a shape that holds no column: its middle, or any of a fine grid over it.
-Axes some_place_in(const Box& box, const Inside& is_inside) {
-  constexpr std::size_t fine = 33;
-  const double x = 0.5 * (box.west_deg + box.east_deg);
-  const double y = 0.5 * (box.south_deg + box.north_deg);
-  if (is_inside(x, y)) return {{x}, {y}};
-  for (const double yy : even_axis(box.south_deg, box.north_deg, fine)) {
-    for (const double xx : even_axis(box.west_deg, box.east_deg, fine)) {
-      if (is_inside(xx, yy)) return {{xx}, {yy}};
-    }
-  }
-  return {{x}, {y}};
 }
 
 Box reached(const Selection& s, const Box& box, std::string_view parameter) {
@@ -80,17 +53,12 @@ Box reached(const Selection& s, const Box& box, std::string_view parameter) {
   return cut;
 }
 
-std::optional<std::size_t> resolution(const QueryString& query, std::string_view key) {
-  const auto text = query.find(key);
-  return text ? parse_resolution(key, *text) : std::nullopt;
-}
-
 QueryPoints over(Selection s, const QueryString& query, AskedArea shape, std::string_view parameter,
                  const std::vector<double>* levels = nullptr) {
   const Box box = reached(s, shape.box, parameter);
   Inside is_inside = std::move(shape.is_inside);
-  const auto x_count = resolution(query, "resolution-x");
-  const auto y_count = resolution(query, "resolution-y");
+  const auto x_count = resolution_in(query, "resolution-x");
+  const auto y_count = resolution_in(query, "resolution-y");
   Axes axes = columns_within(s, box, is_inside);
   if (axes.longitude_deg.empty()) axes = some_place_in(box, is_inside);
   if (x_count) axes.longitude_deg = even_axis(box.west_deg, box.east_deg, *x_count);
@@ -151,7 +119,7 @@ QueryPoints cube_plan(Selection s, const QueryString& query) {
     // EDR 1.1 asks for z with every cube; a collection without a vertical has nothing to cut by it.
     levels = {std::nan("")};
   }
-  if (const auto count = resolution(query, "resolution-z"); count && levels.size() > 1)
+  if (const auto count = resolution_in(query, "resolution-z"); count && levels.size() > 1)
     levels = even_axis(levels.front(), levels.back(), *count);
   return over(std::move(s), query, shape_of(cube.box), "bbox", &levels);
 }

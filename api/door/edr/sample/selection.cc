@@ -27,6 +27,12 @@ Selection select(const Collection& collection, const IssuedForecast& forecast,
   Selection s;
   s.collection = &collection;
   const Snapshot& snapshot = field->snapshot();
+  if (!is_offered_by(collection, snapshot)) {
+    throw Error(ErrorKind::not_found,
+                "found no sea level in the forecast " + forecast.instance +
+                    ": the products it was made from held none, or too "
+                    "little of one for a tide; other collections have values");
+  }
   const std::vector<Parameter> all = parameters_of(collection, snapshot.members);
   if (const auto wanted = query.find("parameter-name")) {
     std::vector<std::string> names;
@@ -86,31 +92,34 @@ std::vector<double> verticals_of(const Selection& s, const QueryString& query, d
     return levels;
   }
   const auto [low, high] = vertical_range(*s.collection, *s.field);
-  const VerticalQuery asked = parse_vertical(*text);
+  return levels_asked(*text, low, high, all_levels(*s.collection, *s.field), "this forecast",
+                      vertical_text(s));
+}
+
+std::vector<double> levels_asked(std::string_view z, double low, double high,
+                                 std::vector<double> all, std::string_view holder,
+                                 const std::string& held) {
+  const auto outside = [&] {
+    return Error(ErrorKind::not_found,
+                 "z: found " + shown(z) + "; " + std::string(holder) + " holds " + held);
+  };
+  const VerticalQuery asked = parse_vertical(z);
   if (const auto* levels = std::get_if<Levels>(&asked)) {
-    const bool any =
-        std::any_of(levels->begin(), levels->end(),
-                    [&, low = low, high = high](double z) { return z >= low && z <= high; });
-    if (!any) {
-      throw Error(ErrorKind::not_found,
-                  "z: found " + shown(*text) + "; this forecast holds " + vertical_text(s));
-    }
+    const bool any = std::any_of(levels->begin(), levels->end(),
+                                 [&](double level) { return level >= low && level <= high; });
+    if (!any) throw outside();
     return *levels;
   }
   const auto& range = std::get<LevelRange>(asked);
   const double from = std::max(range.low, low);
   const double to = std::min(range.high, high);
-  if (from > to) {
-    throw Error(ErrorKind::not_found,
-                "z: found " + shown(*text) + "; this forecast holds " + vertical_text(s));
+  if (from > to) throw outside();
+  std::erase_if(all, [&](double level) { return level < from || level > to; });
+  if (all.empty()) {
+    all = {from};
+    if (to > from) all.push_back(to);
   }
-  std::vector<double> levels = all_levels(*s.collection, *s.field);
-  std::erase_if(levels, [&](double z) { return z < from || z > to; });
-  if (levels.empty()) {
-    levels = {from};
-    if (to > from) levels.push_back(to);
-  }
-  return levels;
+  return all;
 }
 
 std::vector<std::string> notes_of(const Absences& absences, const Field& field) {

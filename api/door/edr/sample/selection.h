@@ -19,7 +19,8 @@ struct Selection {
   Answer answer;                        ///< with all but its coverages and the notes about them
 };
 
-/// @throws Error(usage) for a parameter name that the collection does not have
+/// @throws Error(usage) for a parameter name that the collection does not have; Error(not_found)
+/// where the forecast offers nothing of the collection (`is_offered_by`)
 [[nodiscard]] Selection select(const Collection& collection, const IssuedForecast& forecast,
                                std::shared_ptr<const Field> field, const QueryString& query);
 
@@ -34,6 +35,14 @@ struct Selection {
 /// @throws Error(usage) for z where there is no vertical; Error(not_found) outside the range
 [[nodiscard]] std::vector<double> verticals_of(const Selection& selection, const QueryString& query,
                                                double bed_m);
+
+/// The vertical positions of a `z` that is there: as listed, or of `all` those within a range (its
+/// ends, cut to [low, high], where none lies in it).
+/// @param held  "depth 0 to 35 m", and @param holder  "this forecast": what a refusal says
+/// @throws Error(not_found) outside [low, high]
+[[nodiscard]] std::vector<double> levels_asked(std::string_view z, double low, double high,
+                                               std::vector<double> all, std::string_view holder,
+                                               const std::string& held);
 
 /// Why values are missing, one sentence a reason, with the valid range.
 [[nodiscard]] std::vector<std::string> notes_of(const Absences& absences, const Field& field);

@@ -8,6 +8,10 @@
 namespace slackwater::api::edr {
 
 Work moderate_work(const Selection& s, std::size_t places, std::size_t domains) {
+  return moderate_work(s.parameters.size(), places, domains);
+}
+
+Work moderate_work(std::size_t selected, std::size_t places, std::size_t domains) {
   if (domains > most_domains) {
     throw Error(ErrorKind::usage, "found a query for " + std::to_string(domains) +
                                       " lines (each at each time and level); an answer holds at "
@@ -15,7 +19,7 @@ Work moderate_work(const Selection& s, std::size_t places, std::size_t domains) 
                                       std::to_string(most_domains) +
                                       ": narrow datetime, z or the resolution");
   }
-  const std::size_t parameters = std::max<std::size_t>(1, s.parameters.size());
+  const std::size_t parameters = std::max<std::size_t>(1, selected);
   if (places <= most_values / parameters) return {places * parameters, 0};
   throw Error(ErrorKind::usage, "found a query for " + std::to_string(places) +
                                     " places and times with " + std::to_string(parameters) +

@@ -24,6 +24,8 @@ inline constexpr std::size_t most_comparisons = 100'000'000;
 /// how many were asked and how many are allowed
 [[nodiscard]] Work moderate_work(const Selection& selection, std::size_t places,
                                  std::size_t domains = 1);
+/// The same of so many parameters.
+[[nodiscard]] Work moderate_work(std::size_t parameters, std::size_t places, std::size_t domains);
 /// Cells times vertices. @throws Error(usage) where they are more than `most_comparisons`
 [[nodiscard]] std::size_t moderate_comparisons(std::size_t cells, std::size_t vertices);
 

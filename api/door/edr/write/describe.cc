@@ -1,9 +1,11 @@
 #include "api/door/edr/write/describe.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
 #include "api/door/edr/write/json_text.h"
+#include "api/program/version.h"
 #include "fields/base/percent.h"
 #include "fields/base/text.h"
 
@@ -11,9 +13,9 @@ namespace slackwater::api::edr {
 namespace {
 
 constexpr std::array provenance_names{
-    "Slackwater-Site",        "Slackwater-Instance", "Slackwater-Issued",
-    "Slackwater-Day",         "Slackwater-Degraded", "Slackwater-Headline",
-    "Slackwater-Attribution", "Slackwater-Version",  "Slackwater-Note"};
+    "Slackwater-Site",     "Slackwater-Instance", "Slackwater-Issued",      "Slackwater-Day",
+    "Slackwater-Degraded", "Slackwater-Headline", "Slackwater-Attribution", "Slackwater-Version",
+    "Slackwater-Note",     "Slackwater-Product",  "Slackwater-Dataset",     "Slackwater-Runs"};
 
 void append_label(std::string& out, std::string_view key, std::string_view text) {
   out += '"';
@@ -50,6 +52,27 @@ void append_unit(std::string& out, const Parameter& parameter) {
   out += "\"symbol\":{\"value\":";
   append_string(out, parameter.unit);
   out += ",\"type\":\"http://www.opengis.net/def/uom/UCUM/\"}}";
+}
+
+void append_product_provenance(std::string& out, const Answer& answer) {
+  const ProductSource& product = *answer.provenance.product;
+  out += '{';
+  append_member(out, "collection", answer.collection);
+  out += ',';
+  append_member(out, "product", product.product_id);
+  out += ',';
+  append_member(out, "dataset", product.dataset_id);
+  out += ',';
+  append_list(out, "runs", product.runs);
+  out += ',';
+  append_list(out, "sources_sha256", product.sources);
+  out += ',';
+  append_list(out, "attributions", answer.provenance.attributions);
+  out += ',';
+  append_list(out, "notes", answer.notes);
+  out += ',';
+  append_member(out, "code_version", code_version());
+  out += '}';
 }
 
 std::string header_value(std::string_view text) {
@@ -95,6 +118,10 @@ void append_parameter(std::string& out, const Parameter& parameter, bool with_id
 
 void append_provenance(std::string& out, const Answer& answer) {
   const Provenance& from = answer.provenance;
+  if (from.product) {
+    append_product_provenance(out, answer);
+    return;
+  }
   out += '{';
   append_member(out, "site", from.site_id);
   out += ',';
@@ -122,15 +149,25 @@ std::vector<std::string> provenance_fields() {
 
 std::vector<std::pair<std::string, std::string>> provenance_headers(const Answer& answer) {
   const Provenance& from = answer.provenance;
-  const std::array<std::string, provenance_names.size()> values{from.site_id,
-                                                                from.instance,
-                                                                format_utc(from.issued),
-                                                                format_day(from.day),
-                                                                from.degraded ? "true" : "false",
-                                                                from.headline,
-                                                                joined(from.attributions, "; "),
-                                                                from.code_version,
-                                                                joined(answer.notes, "; ")};
+  std::array<std::string, provenance_names.size()> values{from.site_id,
+                                                          from.instance,
+                                                          format_utc(from.issued),
+                                                          format_day(from.day),
+                                                          from.degraded ? "true" : "false",
+                                                          from.headline,
+                                                          joined(from.attributions, "; "),
+                                                          from.code_version,
+                                                          joined(answer.notes, "; "),
+                                                          "",
+                                                          "",
+                                                          ""};
+  if (from.product) {
+    std::fill_n(values.begin(), 6, "");
+    values[7] = code_version();
+    values[9] = from.product->product_id;
+    values[10] = from.product->dataset_id;
+    values[11] = joined(from.product->runs, "; ");
+  }
   std::vector<std::pair<std::string, std::string>> headers;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!values[i].empty()) headers.emplace_back(provenance_names[i], header_value(values[i]));

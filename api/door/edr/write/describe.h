@@ -19,9 +19,10 @@ void append_parameter(std::string& out, const Parameter& parameter, bool with_id
 void append_provenance(std::string& out, const Answer& answer);
 
 /// The same as HTTP headers, for formats without a place for it (CSV): Slackwater-Site, -Instance,
-/// -Issued, -Day, -Degraded, -Headline, -Attribution, -Version, -Note. Bytes that are not printable
-/// ASCII, and '%', are percent-encoded, so that no value can break a header. What is empty is left
-/// out; lists are joined by "; ".
+/// -Issued, -Day, -Degraded, -Headline, -Attribution, -Version, -Note; of a product -Product,
+/// -Dataset and -Runs instead of the first six. Bytes that are not printable ASCII, and '%', are
+/// percent-encoded, so that no value can break a header. What is empty is left out; lists are
+/// joined by "; ".
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> provenance_headers(
     const Answer& answer);
 /// The names of these headers.

@@ -36,27 +36,13 @@ bool has_values(const Collection& collection, const Field& field, const Example&
     field.sample_sea({&place, 1}, {&sea, 1});
     return has_value(sea.status);
   }
+  if (std::holds_alternative<Quantities<SeaLevelSample>>(collection.quantities)) {
+    SeaLevelSample level;
+    field.sample_sea_level({&place, 1}, {&level, 1});
+    return has_value(level.status);
+  }
   place.vertical_m = example.depth_m;
   return has_value(field.current(place).status);
-}
-
-std::string example_value(std::string_view name, std::string_view query,
-                          const Collection& collection, const Example& example) {
-  const double x = example.longitude_deg;
-  const double y = example.latitude_deg;
-  if (name == "coords") return example_coords(query, example);
-  if (name == "bbox") {
-    return shortest(x - 0.1) + "," + shortest(y - 0.1) + "," + shortest(x + 0.1) + "," +
-           shortest(y + 0.1);
-  }
-  if (name == "z") {
-    return shortest(collection.vertical == Vertical::depth_down ? example.depth_m : usual_level_m);
-  }
-  if (name == "within") return "5";
-  if (name == "within-units") return "km";
-  if (name == "corridor-width") return "1000";
-  if (name == "corridor-height") return "2";
-  return "m";  // width-units, height-units
 }
 
 }  // namespace
@@ -92,17 +78,34 @@ std::string example_coords(std::string_view query, const Example& example) {
   return "POINT(" + at(0, 0) + ")";
 }
 
+std::string example_value(std::string_view name, std::string_view query, const Example& example) {
+  const double x = example.longitude_deg;
+  const double y = example.latitude_deg;
+  if (name == "coords") return example_coords(query, example);
+  if (name == "bbox") {
+    return shortest(x - 0.1) + "," + shortest(y - 0.1) + "," + shortest(x + 0.1) + "," +
+           shortest(y + 0.1);
+  }
+  if (name == "within") return "5";
+  if (name == "within-units") return "km";
+  if (name == "corridor-width") return "1000";
+  if (name == "corridor-height") return "2";
+  return "m";  // width-units, height-units
+}
+
 std::string example_query(const QueryType& type, const Collection& collection,
                           const Example& example) {
   std::vector<std::string_view> names(
       type.parameters.begin(), type.parameters.begin() + static_cast<std::ptrdiff_t>(type.needed));
   if (std::find(names.begin(), names.end(), "z") == names.end()) names.emplace_back("z");
+  const std::string level =
+      shortest(collection.vertical == Vertical::depth_down ? example.depth_m : usual_level_m);
   std::string query;
   for (const std::string_view name : names) {
     const bool is_vertical = name == "z" || name == "corridor-height" || name == "height-units";
     if (is_vertical && collection.vertical == Vertical::none) continue;
     query += (query.empty() ? "" : "&") + std::string(name) + "=" +
-             percent_encoded(example_value(name, type.name, collection, example));
+             percent_encoded(name == "z" ? level : example_value(name, type.name, example));
   }
   return query + "&datetime=" + percent_encoded(format_utc(example.time));
 }

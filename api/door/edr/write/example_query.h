@@ -30,6 +30,10 @@ struct Example {
 /// The `coords` of a query about the example's place: a point, a triangle or a line.
 [[nodiscard]] std::string example_coords(std::string_view query, const Example& example);
 
+/// What an example has for one of the parameters that a query cannot do without, but for z.
+[[nodiscard]] std::string example_value(std::string_view name, std::string_view query,
+                                        const Example& example);
+
 /// The query string of an example, without '?': what the query cannot do without, one level and one
 /// time.
 [[nodiscard]] std::string example_query(const QueryType& type, const Collection& collection,

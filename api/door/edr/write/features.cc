@@ -5,6 +5,7 @@
 #include "api/door/edr/write/example_query.h"
 #include "api/door/edr/write/feature_page.h"
 #include "fields/base/percent.h"
+#include "fields/geo/coverage.h"
 
 namespace slackwater::api::edr {
 namespace {
@@ -41,6 +42,34 @@ slackwater::BoundingBox box_of(const ForecastCatalogue& catalogue, const std::st
   return {-180, -90, 180, 90};
 }
 
+/// @param title  of the values that are there as CSV; empty: there are none
+json location(const std::string& at, const Snapshot& snapshot, std::size_t c, UtcTime from,
+              UtcTime to, const json& names, const std::string& title) {
+  const ForecastColumn& column = snapshot.columns[c];
+  const std::string id = name_of_column(snapshot.site_id, c);
+  const std::string label =
+      c == 0 ? snapshot.site_name : snapshot.site_name + ", column " + std::to_string(c);
+  const std::string endpoint = at + "/locations/" + percent_encoded(id);
+  json links = json::array();
+  if (!title.empty())
+    links.push_back({{"href", endpoint + "?f=csv"},
+                     {"rel", "data"},
+                     {"type", "text/csv"},
+                     {"title", title + " as CSV"}});
+  return {{"type", "Feature"},
+          {"id", id},
+          {"links", links},
+          {"geometry",
+           {{"type", "Point"},
+            {"coordinates", {column.point.longitude_deg(), column.point.latitude_deg()}}}},
+          {"properties",
+           {{"datetime", format_utc(from) + "/" + format_utc(to)},
+            {"parameter-name", names},
+            {"label", label},
+            {"edrqueryendpoint", endpoint},
+            {"water_depth_m", column.water_depth_m}}}};
+}
+
 json footprint(const slackwater::BoundingBox& box) {
   const double east = box.east_deg < box.west_deg ? box.east_deg + 360 : box.east_deg;
   return {{"type", "Polygon"},
@@ -66,30 +95,30 @@ json locations_document(const std::string& at, const Collection& collection,
     const json names = names_of(collection, snapshot.members);
     const bool is_held = example_of(collection, *field).has_value();
     for (std::size_t c = 0; c < snapshot.columns.size(); ++c) {
-      const ForecastColumn& column = snapshot.columns[c];
-      const double x = column.point.longitude_deg();
-      const double y = column.point.latitude_deg();
-      if (!filter.takes({x, y, x, y}, from, to)) continue;
-      const std::string id = name_of_column(snapshot.site_id, c);
-      const std::string label =
-          c == 0 ? snapshot.site_name : snapshot.site_name + ", column " + std::to_string(c);
-      const std::string endpoint = at + "/locations/" + percent_encoded(id);
-      json links = json::array();
-      if (is_held)
-        links.push_back({{"href", endpoint + "?f=csv"},
-                         {"rel", "data"},
-                         {"type", "text/csv"},
-                         {"title", collection.title + " as CSV"}});
-      features.push_back({{"type", "Feature"},
-                          {"id", id},
-                          {"links", links},
-                          {"geometry", {{"type", "Point"}, {"coordinates", {x, y}}}},
-                          {"properties",
-                           {{"datetime", format_utc(from) + "/" + format_utc(to)},
-                            {"parameter-name", names},
-                            {"label", label},
-                            {"edrqueryendpoint", endpoint},
-                            {"water_depth_m", column.water_depth_m}}}});
+      const GeoPoint& point = snapshot.columns[c].point;
+      if (!filter.takes(slackwater::box_of(point), from, to)) continue;
+      features.push_back(
+          location(at, snapshot, c, from, to, names, is_held ? collection.title : std::string()));
+    }
+  }
+  return feature_page(at + "/locations", filter, std::move(features));
+}
+
+json product_locations_document(const std::string& at, const StoredProduct& product,
+                                const ForecastCatalogue& catalogue, const QueryString& query) {
+  const FeatureFilter filter(query);
+  json names = json::array();
+  for (const Parameter& parameter : parameters_of(product)) names.push_back(parameter.name);
+  json features = json::array();
+  for (const auto& site : catalogue.sites) {
+    const Snapshot& snapshot = site.field->snapshot();
+    for (std::size_t c = 0; c < snapshot.columns.size(); ++c) {
+      const GeoPoint& point = snapshot.columns[c].point;
+      if (!product.bounds.contains(point) ||
+          !filter.takes(slackwater::box_of(point), product.from, product.to))
+        continue;
+      features.push_back(
+          location(at, snapshot, c, product.from, product.to, names, title_of(product)));
     }
   }
   return feature_page(at + "/locations", filter, std::move(features));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "api/door/edr/write/merged_coverage.h"
+#include "api/program/version.h"
 #include "fields/base/error.h"
 #include "fields/base/log.h"
 #include "fields/base/text.h"
@@ -44,6 +45,21 @@ std::string or_none(std::string text) { return text.empty() ? "none" : std::move
 
 std::vector<std::pair<std::string, std::string>> attributes_of(const Answer& answer) {
   const Provenance& from = answer.provenance;
+  if (from.product) {
+    return {{"title", or_none(answer.title)},
+            {"institution", "Slackwater"},
+            {"source", "product " + from.product->product_id + " as stored"},
+            {"history", "cut out by Slackwater"},
+            {"references", or_none(joined(from.attributions, "\n"))},
+            {"comment", or_none(joined(answer.notes, "\n"))},
+            {"slackwater_collection", or_none(answer.collection)},
+            {"slackwater_product", or_none(from.product->product_id)},
+            {"slackwater_dataset", or_none(from.product->dataset_id)},
+            {"slackwater_runs", or_none(joined(from.product->runs, "\n"))},
+            {"slackwater_sources_sha256", or_none(joined(from.product->sources, "\n"))},
+            {"slackwater_attributions", or_none(joined(from.attributions, "\n"))},
+            {"slackwater_code_version", code_version()}};
+  }
   return {{"title", or_none(answer.title)},
           {"institution", "Slackwater"},
           {"source", "Slackwater forecast " + from.instance},
@@ -95,7 +111,8 @@ std::string netcdf(const Answer& answer) {
   }
   ingest::SampledFile file = merged_coverage(answer);
   file.global_attributes = attributes_of(answer);
-  file.reference_time = UtcTime(answer.provenance.day) + std::chrono::days(1);
+  if (!answer.provenance.product)
+    file.reference_time = UtcTime(answer.provenance.day) + std::chrono::days(1);
   return written(file);
 }
 

@@ -133,7 +133,8 @@ std::string extent_of(const json& extent) {
   }
   if (const auto vertical = extent.find("vertical"); vertical != extent.end()) {
     out += "<dt>Levels (m)</dt><dd>";
-    const json& levels = vertical->at("values");
+    const json& levels =
+        vertical->contains("values") ? vertical->at("values") : vertical->at("interval").at(0);
     for (std::size_t i = 0; i < levels.size(); ++i)
       out += (i == 0 ? "" : ", ") + escaped_html(text_of(levels[i]));
     out += "</dd>";

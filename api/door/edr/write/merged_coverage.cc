@@ -27,17 +27,19 @@ std::string udunits_of(const std::string& ucum) {
   return found == words.end() ? ucum : found->second;
 }
 
+bool is_the_value(const Parameter& parameter) {
+  return parameter.method.empty() || parameter.method == "central" || parameter.method == "product";
+}
+
 /// As in the forecast file, a quantile or a member does not bear the standard name: what looks for
 /// it finds the central forecast alone.
 std::string standard_name_of(const Parameter& parameter) {
-  const bool is_central = parameter.method.empty() || parameter.method == "central";
-  return is_central ? parameter.standard_name : std::string();
+  return is_the_value(parameter) ? parameter.standard_name : std::string();
 }
 
 std::string long_name_of(const Parameter& parameter) {
   const std::string name = parameter.label.empty() ? parameter.name : parameter.label;
-  const bool is_central = parameter.method.empty() || parameter.method == "central";
-  return is_central ? name : name + " (" + parameter.method + ")";
+  return is_the_value(parameter) ? name : name + " (" + parameter.method + ")";
 }
 
 class Merger {

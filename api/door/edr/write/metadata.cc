@@ -45,9 +45,9 @@ json formats() {
 
 std::string shortest(double value) { return json(value).dump(); }
 
-json parameter_names(const Collection& collection, std::size_t members) {
+json parameter_names(const std::vector<Parameter>& parameters) {
   json names = json::object();
-  for (const Parameter& p : parameters_of(collection, members)) {
+  for (const Parameter& p : parameters) {
     names[p.name] = {
         {"type", "Parameter"},
         {"id", p.name},
@@ -146,7 +146,7 @@ json described(const std::string& at, const Collection& collection, std::size_t 
           {"data_queries", data_queries(at, collection, answering, detail)},
           {"crs", crs_names()},
           {"output_formats", formats()},
-          {"parameter_names", parameter_names(collection, members)}};
+          {"parameter_names", parameter_names(parameters_of(collection, members))}};
 }
 
 std::vector<std::shared_ptr<const Field>> fields_of(const ForecastCatalogue& catalogue) {
@@ -308,10 +308,113 @@ json collection_document(const std::string& base, const Collection& collection,
   return document;
 }
 
+namespace {
+
+json extent_of(const StoredProduct& product) {
+  const slackwater::BoundingBox& box = product.bounds;
+  json extent = {
+      {"spatial",
+       {{"bbox",
+         json::array({json::array({box.west_deg, box.south_deg, box.east_deg, box.north_deg})})},
+        {"crs", std::string(crs84_uri)}}},
+      {"temporal", temporal_extent(product.from, product.to)}};
+  const Vertical vertical = vertical_of(product);
+  if (vertical != Vertical::none && product.lowest_level_m && product.highest_level_m) {
+    // The levels between stand in the files, which a list must not open.
+    extent["vertical"] = {
+        {"interval", json::array({json::array({shortest(*product.lowest_level_m),
+                                               shortest(*product.highest_level_m)})})},
+        {"vrs", vertical == Vertical::depth_down ? depth_wkt : height_wkt}};
+  }
+  return extent;
+}
+
+/// Where and when a product can be asked as it stands: about the first site that it covers, else
+/// its middle, which may be land; at its last time.
+struct ProductExample {
+  Example at;
+  bool is_at_a_site = false;
+};
+
+ProductExample example_of(const StoredProduct& product, const ForecastCatalogue& catalogue) {
+  const slackwater::BoundingBox& box = product.bounds;
+  const double east = box.east_deg < box.west_deg ? box.east_deg + 360 : box.east_deg;
+  ProductExample example;
+  example.at.longitude_deg = 0.5 * (box.west_deg + east);
+  example.at.latitude_deg = 0.5 * (box.south_deg + box.north_deg);
+  example.at.time = product.to;
+  for (const auto& site : catalogue.sites) {
+    const GeoPoint& point = site.field->snapshot().columns.front().point;
+    if (!box.contains(point)) continue;
+    example.at.longitude_deg = point.longitude_deg();
+    example.at.latitude_deg = point.latitude_deg();
+    example.is_at_a_site = true;
+    break;
+  }
+  return example;
+}
+
+json product_queries(const std::string& at, const StoredProduct& product,
+                     const ForecastCatalogue& catalogue) {
+  json queries = json::object();
+  const ProductExample example = example_of(product, catalogue);
+  const std::string z =
+      product.lowest_level_m ? "&z=" + shortest(*product.lowest_level_m) : std::string();
+  for (const QueryType& type : query_types()) {
+    if (!is_for_products(type.name)) continue;
+    const std::string name(type.name);
+    const std::string what = name == "position" ? "The product at a point or several (MULTIPOINT)"
+                             : name == "radius" ? "The product's cells within a distance of a point"
+                             : name == "area"
+                                 ? "The product's cells within a POLYGON or MULTIPOLYGON"
+                                 : "The product's cells within a box of longitude, latitude and "
+                                   "levels";
+    queries[name] = query_link(at, name, type.title, what, Detail::whole);
+    if (name == "position" && !example.is_at_a_site) continue;
+    std::string asked;
+    for (std::size_t i = 0; i < type.needed; ++i) {
+      if (type.parameters[i] == "z") continue;
+      asked += (asked.empty() ? "" : "&") + std::string(type.parameters[i]) + "=" +
+               percent_encoded(example_value(type.parameters[i], name, example.at));
+    }
+    queries[name]["link"]["slackwater:example"] = at + "/" + name + "?" + asked + z + "&datetime=" +
+                                                  percent_encoded(format_utc(example.at.time));
+  }
+  queries["locations"] =
+      query_link(at, "locations", "Locations", "The product at the columns of each site by name",
+                 Detail::whole);
+  return queries;
+}
+
+}  // namespace
+
+json product_document(const std::string& base, const StoredProduct& product,
+                      const ForecastCatalogue& catalogue) {
+  const std::string at = base + "/collections/" + product.id;
+  const std::string title = title_of(product);
+  json links = self_links(at, title);
+  links.push_back(link(at + "/position", "data", "application/prs.coverage+json", "Position"));
+  links.push_back(link(at + "/locations", "data", "application/geo+json", "Locations"));
+  links.push_back(link(base + "/collections/" + std::string(name_of(product.kind)), "related",
+                       "application/json", "Our forecasts of the same"));
+  return {{"id", product.id},
+          {"title", title},
+          {"description", description_of(product)},
+          {"keywords", {"product", name_of(product.kind), product.product_id}},
+          {"links", links},
+          {"extent", extent_of(product)},
+          {"data_queries", product_queries(at, product, catalogue)},
+          {"crs", crs_names()},
+          {"output_formats", formats()},
+          {"parameter_names", parameter_names(parameters_of(product))}};
+}
+
 json collections_document(const std::string& base, const ForecastCatalogue& catalogue) {
   json list = json::array();
   for (const Collection& collection : collections())
     list.push_back(collection_document(base, collection, catalogue));
+  for (const StoredProduct& product : *catalogue.products)
+    list.push_back(product_document(base, product, catalogue));
   return {{"links", self_links(base + "/collections", "Collections")}, {"collections", list}};
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "api/door/edr/sample/collection.h"
+#include "api/door/edr/sample/product_collection.h"
 #include "api/issued/site_state.h"
 
 // What the service says of itself: landing page, conformance, collections, instances (OGC API-EDR
@@ -32,6 +33,10 @@ namespace slackwater::api::edr {
                                                const Collection& collection,
                                                const ForecastCatalogue& catalogue,
                                                const IssuedForecast& forecast);
+
+/// A collection over a stored product: it has no instances and no items.
+[[nodiscard]] nlohmann::json product_document(const std::string& base, const StoredProduct& product,
+                                              const ForecastCatalogue& catalogue);
 
 /// The extent of fields as OGC wants it: box, times, verticals.
 [[nodiscard]] nlohmann::json extent_of(const Collection& collection,

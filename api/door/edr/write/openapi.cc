@@ -104,7 +104,7 @@ json paths_of(const json& all, const Example& example) {
 
 json openapi_document(const std::string& base, const ForecastCatalogue& catalogue) {
   const Example example = example_of(catalogue);
-  const json all = openapi_parameters(example);
+  const json all = openapi_parameters(example, catalogue);
   json tags = json::array();
   for (const char* tag : {"Capabilities", "Collection metadata", "Instance metadata",
                           "Collection data queries", "Instance data queries", "Service"})
@@ -114,8 +114,9 @@ json openapi_document(const std::string& base, const ForecastCatalogue& catalogu
       {"info",
        {{"title", "Slackwater"},
         {"description",
-         "Forecasts of current, wind and waves for offshore sites over OGC API-EDR 1.1. Nothing "
-         "here writes, and nothing is access-controlled."},
+         "Forecasts of current, wind, waves and sea level for offshore sites, and the products "
+         "they were made from, over OGC API-EDR 1.1. Nothing here writes, and nothing is "
+         "access-controlled."},
         {"version", code_version()},
         {"license", {{"name", "See the repository"}}}}},
       {"servers", json::array({{{"url", base.empty() ? "/" : base}}})},

@@ -101,11 +101,12 @@ json openapi_reference(const std::string& kind, const std::string& name) {
   return {{"$ref", "#/components/" + kind + "/" + name}};
 }
 
-json openapi_parameters(const Example& example) {
+json openapi_parameters(const Example& example, const ForecastCatalogue& catalogue) {
   const double x = example.longitude_deg;
   const double y = example.latitude_deg;
   std::vector<std::string> ids;
   for (const Collection& collection : collections()) ids.push_back(collection.id);
+  for (const StoredProduct& product : *catalogue.products) ids.push_back(product.id);
   json all = {
       {"coords", query_parameter("coords", "Well Known Text, longitude before latitude", text(),
                                  example_coords("position", example))},

@@ -12,7 +12,8 @@ namespace slackwater::api::edr {
 [[nodiscard]] nlohmann::json openapi_reference(const std::string& kind, const std::string& name);
 
 /// Parameters by name, in path and query, with examples that can be tried as they stand.
-[[nodiscard]] nlohmann::json openapi_parameters(const Example& example);
+[[nodiscard]] nlohmann::json openapi_parameters(const Example& example,
+                                                const ForecastCatalogue& catalogue);
 
 /// Schemas of all that is answered in JSON: what we promise of it.
 [[nodiscard]] nlohmann::json openapi_schemas();

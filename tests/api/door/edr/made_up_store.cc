@@ -15,6 +15,7 @@ Snapshot small_forecast(const std::string& site, std::size_t columns, std::uint6
   Snapshot made = made_up_forecast(size);
   made.site_id = site;
   made.site_name = "Site " + site;
+  add_made_up_level(made);
   return made;
 }
 

@@ -58,7 +58,7 @@ TEST(EdrCollections, TheListHasLinksAndCollections) {
   std::set<std::string> ids;
   for (const json& collection : list.at("collections")) ids.insert(collection.at("id"));
   EXPECT_EQ(ids, (std::set<std::string>{"currents", "currents-members", "wind", "wind-members",
-                                        "waves"}));
+                                        "waves", "sea-level"}));
 }
 
 TEST(EdrCollections, EachListedCollectionIsAtItsPath) {

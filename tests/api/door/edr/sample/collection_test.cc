@@ -17,7 +17,9 @@ constexpr std::size_t members = 3;
 Field made_up_field() {
   tests::MadeUpForecast size;
   size.members = members;
-  return Field(std::make_shared<const Snapshot>(tests::made_up_forecast(size)));
+  Snapshot made = tests::made_up_forecast(size);
+  tests::add_made_up_level(made);
+  return Field(std::make_shared<const Snapshot>(std::move(made)));
 }
 
 /// In the water, at each stamp of the forecast.

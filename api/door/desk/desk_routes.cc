@@ -1,0 +1,156 @@
+#include "api/door/desk/desk_routes.h"
+
+#include <nlohmann/json.hpp>
+
+#include "api/door/desk/kept_answers.h"
+#include "api/door/desk/mission_jobs.h"
+#include "api/door/desk/site_answers.h"
+#include "api/door/desk/site_list.h"
+#include "api/door/desk/texts_of_site.h"
+#include "api/door/desk/what_if.h"
+#include "api/door/http/problem.h"
+#include "fields/base/error.h"
+
+namespace slackwater::api::desk {
+namespace {
+
+using http::LongWork;
+using http::Outcome;
+using http::PathParameters;
+using http::Request;
+using http::Response;
+using nlohmann::json;
+
+/// A forecast may be replaced within seconds.
+constexpr int answer_max_age_s = 10;
+
+Response json_response(const json& body) {
+  Response response;
+  response.media_type = "application/json";
+  response.body = body.dump(-1, ' ', false, json::error_handler_t::replace);
+  response.max_age_s = answer_max_age_s;
+  return response;
+}
+
+Response not_kept(const json& body, int status = 200) {
+  Response response = json_response(body);
+  response.status = status;
+  response.max_age_s.reset();
+  return response;
+}
+
+/// Work that costs cores is for this machine and for who carries the token.
+std::optional<Response> refusal(const Request& request) {
+  if (request.is_trusted) return std::nullopt;
+  Response response = http::problem(
+      401,
+      "found a request from afar, expected one from this machine, or the token of --token-file in "
+      "Authorization: Bearer TOKEN",
+      request.path);
+  response.headers.emplace_back("WWW-Authenticate", "Bearer");
+  return response;
+}
+
+MissionAsked mission_asked(const std::string& body) {
+  const json asked = json::parse(body, nullptr, false);
+  const auto unlike = [] {
+    return Error(ErrorKind::usage,
+                 R"(expected {"mission": YAML}, and perhaps "starts": [TIME] and "members": 1 to )"
+                 "1000");
+  };
+  if (!asked.is_object() || !asked.contains("mission")) throw unlike();
+  MissionAsked mission;
+  for (const auto& [name, value] : asked.items()) {
+    if (name == "mission" && value.is_string()) {
+      mission.mission = value.get<std::string>();
+    } else if (name == "members" && value.is_number_unsigned() && value >= 1 && value <= 1000) {
+      mission.members = value.get<std::size_t>();
+    } else if (name == "starts" && value.is_array() && value.size() <= 100) {
+      for (const json& start : value) {
+        if (!start.is_string()) throw unlike();
+        mission.starts.push_back(start.get<std::string>());
+      }
+    } else {
+      throw unlike();
+    }
+  }
+  return mission;
+}
+
+void add_mission_routes(http::Router& router, const std::shared_ptr<MissionJobs>& jobs) {
+  router.add("GET", "/missions", [jobs](const Request&) { return not_kept(jobs->jobs()); });
+  router.add("POST", "/missions", [jobs](const Request& request) {
+    if (auto no = refusal(request)) return *std::move(no);
+    const std::string id = jobs->submit(mission_asked(request.body));
+    Response response = not_kept({{"id", id}}, 202);
+    response.headers.emplace_back("Location", "/missions/" + id);
+    return response;
+  });
+  router.add("GET", "/missions/{mission}",
+             [jobs](const Request&, const PathParameters& path) -> Outcome {
+               return not_kept(jobs->job(path.at("mission")));
+             });
+  router.add("POST", "/missions/{mission}/cancel",
+             [jobs](const Request& request, const PathParameters& path) -> Outcome {
+               if (auto no = refusal(request)) return *std::move(no);
+               return not_kept(jobs->cancel(path.at("mission")), 202);
+             });
+}
+
+}  // namespace
+
+void add_routes(http::Router& router, const DeskSettings& settings) {
+  const auto kept = std::make_shared<KeptAnswers>(settings.store_folder, settings.data_folder);
+  Answers from;
+  from.store_folder = settings.store_folder;
+  from.data_folder = settings.data_folder;
+  from.now = settings.freshness.now;
+  const auto add = [&](const std::string& what, auto answer) {
+    router.add("GET", "/sites/{site}/" + what,
+               [=](const Request& request, const PathParameters& path) -> Outcome {
+                 const std::string site = path.at("site");
+                 const std::string question = request.path + '?' + request.query;
+                 return LongWork{[=, query = request.query] {
+                   return kept->answer(question,
+                                       [&] { return json_response(answer(from, site, query)); });
+                 }};
+               });
+  };
+  add("windows", windows_answer);
+  add("report", report_answer);
+  add("plan", plan_answer);
+  add("verification", verification_answer);
+  add("sources", sources_answer);
+  add("decisions", decisions_answer);
+  router.add("GET", "/sites", [settings](const Request&) {
+    return json_response(
+        sites_json(*settings.forecasts, settings.freshness, settings.store_folder));
+  });
+  router.add("GET", "/sites/{site}",
+             [settings](const Request&, const PathParameters& path) -> Outcome {
+               return json_response(site_json(path.at("site"), *settings.forecasts,
+                                              settings.freshness, settings.store_folder));
+             });
+  router.add("GET", "/sites/{site}/texts",
+             [from](const Request&, const PathParameters& path) -> Outcome {
+               return json_response(texts_json(texts_of_site(path.at("site"), from.store_folder)));
+             });
+  router.add("POST", "/sites/{site}/what-if",
+             [from](const Request& request, const PathParameters& path) -> Outcome {
+               if (auto no = refusal(request)) return *std::move(no);
+               return LongWork{[from, site = path.at("site"), body = request.body] {
+                 return not_kept(what_if(from, site, body));
+               }};
+             });
+  add_mission_routes(router,
+                     std::make_shared<MissionJobs>(settings.store_folder, settings.data_folder,
+                                                   settings.missions_at_once));
+}
+
+bool is_guarded_here(const http::Request& request) {
+  const std::string_view path = request.path;
+  return path == "/missions" || path.starts_with("/missions/") ||
+         (path.starts_with("/sites/") && path.ends_with("/what-if"));
+}
+
+}  // namespace slackwater::api::desk

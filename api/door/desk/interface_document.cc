@@ -1,0 +1,241 @@
+#include "api/door/desk/interface_document.h"
+
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace slackwater::api::desk {
+namespace {
+
+using nlohmann::json;
+
+json reference(const std::string& kind, const std::string& name) {
+  return {{"$ref", "#/components/" + kind + "/" + name}};
+}
+
+json text() { return {{"type", "string"}}; }
+json object(json properties) { return {{"type", "object"}, {"properties", std::move(properties)}}; }
+json list_of(json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
+
+json answer(const std::string& description, json schema) {
+  return {{"description", description},
+          {"content", {{"application/json", {{"schema", std::move(schema)}}}}}};
+}
+
+json with_refusals(json responses, std::initializer_list<const char*> more) {
+  for (const char* status : {"400", "405", "408", "413", "414", "431", "500", "503"})
+    responses[status] = reference("responses", status);
+  for (const char* status : more) responses[status] = reference("responses", status);
+  return responses;
+}
+
+json refused_for(const std::string& description) {
+  return {
+      {"description", description},
+      {"content", {{"application/problem+json", {{"schema", reference("schemas", "Problem")}}}}}};
+}
+
+json operation(const std::string& id, const std::string& tag, const std::string& summary,
+               json parameters, json responses) {
+  return {{"operationId", id},
+          {"summary", summary},
+          {"tags", json::array({tag})},
+          {"parameters", std::move(parameters)},
+          {"responses", std::move(responses)}};
+}
+
+struct Word {
+  const char* name;
+  const char* description;
+  const char* example;
+  bool is_many = false;
+};
+
+json in_query(const Word& word) {
+  json schema = word.is_many ? list_of(text()) : text();
+  json out{{"name", word.name},
+           {"in", "query"},
+           {"required", false},
+           {"description", word.description},
+           {"schema", std::move(schema)},
+           {"example", word.is_many ? json::array({word.example}) : json(word.example)}};
+  if (word.is_many) {
+    out["style"] = "form";
+    out["explode"] = false;
+  }
+  return out;
+}
+
+const std::vector<Word>& words_of_windows() {
+  static const std::vector<Word> all{
+      {"day", "Day D of the forecast; else the one in force", "2025-03-12"},
+      {"task", "Tasks by id; else those of the site", "blade_scan", true},
+      {"turbine", "Where; else the first that a task can be done at", "A01", true},
+      {"from", "First start, UTC", "2025-03-14T06:00:00Z"},
+      {"to", "Starts before this, UTC", "2025-03-14T18:00:00Z"},
+      {"every", "From one start to the next", "30min"},
+      {"contingency", "Beyond the planned time; else the task sheet's", "1h"},
+      {"members", "Futures; else all that were issued", "25"},
+      {"waves", "error: each future's waves err as forecasts do; forecast: none does", "error"},
+      {"assume", "What no forecast serves", "visibility_m=5000", true},
+      {"light", "sun_up, civil or nautical: the task is done in that light", "civil"},
+      {"shift", "Hours in which the task is done; else the site's", "06:00-18:00"},
+      {"timezone", "Of the shift; else the site's", "Europe/Paris"},
+      {"alpha-from", "issue or start: from when the planned period of alpha counts", "issue"},
+      {"go", "Probability of a start that is a go", "0.9"},
+      {"marginal", "Probability of a marginal one", "0.5"}};
+  return all;
+}
+
+json of_site(const std::vector<Word>& words) {
+  json parameters = json::array({reference("parameters", "siteId")});
+  for (const Word& word : words) parameters.push_back(in_query(word));
+  return parameters;
+}
+
+/// What a command answers: its JSON is described with the command.
+json answer_of(const char* id, const char* summary, const char* like,
+               const std::vector<Word>& words, const char* schema = "Answer") {
+  json responses = with_refusals({}, {"404"});
+  responses["200"] = answer(std::string("As `") + like + "`", reference("schemas", schema));
+  return {{"get", operation(id, "Sites", summary, of_site(words), std::move(responses))}};
+}
+
+json what_if() {
+  json responses = with_refusals({}, {"404", "401"});
+  responses["200"] = answer("The windows and the plan as they would be; nothing is saved",
+                            reference("schemas", "WhatIfAnswer"));
+  json post = operation("ask_what_if", "Sites", "The same questions with other texts", of_site({}),
+                        std::move(responses));
+  post["security"] = json::array({json::object(), {{"operator", json::array()}}});
+  post["requestBody"] = {
+      {"required", true},
+      {"content", {{"application/json", {{"schema", reference("schemas", "WhatIf")}}}}}};
+  return {{"post", std::move(post)}};
+}
+
+json guarded(json operation) {
+  operation["responses"]["401"] =
+      refused_for("Neither from this machine nor with the token of --token-file");
+  operation["security"] = json::array({json::object(), {{"operator", json::array()}}});
+  return operation;
+}
+
+json mission_paths() {
+  const json job = reference("schemas", "MissionJob");
+  json listed = with_refusals({}, {});
+  listed["200"] = answer("The rehearsals that are known", object({{"missions", list_of(job)}}));
+  json taken = with_refusals({}, {});
+  taken["202"] =
+      answer("It waits its turn; Location says where it is told", object({{"id", text()}}));
+  json one = with_refusals({}, {"404"});
+  one["200"] = answer("How it stands, and its result: as `slackwater rehearse --json`", job);
+  json ended = with_refusals({}, {"404"});
+  ended["202"] = answer("It ends with the round that is flown", job);
+  json submit = guarded(operation("submit_mission", "Missions",
+                                  "Rehearses a mission in the futures of the forecast",
+                                  json::array(), std::move(taken)));
+  submit["requestBody"] = {
+      {"required", true},
+      {"content", {{"application/json", {{"schema", reference("schemas", "Mission")}}}}}};
+  const json id = json::array({reference("parameters", "missionId")});
+  return {{"/missions",
+           {{"get", operation("list_missions", "Missions", "Rehearsals", json::array(),
+                              std::move(listed))},
+            {"post", std::move(submit)}}},
+          {"/missions/{missionId}",
+           {{"get", operation("get_mission", "Missions", "One rehearsal", id, std::move(one))}}},
+          {"/missions/{missionId}/cancel",
+           {{"post", guarded(operation("cancel_mission", "Missions", "Ends a rehearsal", id,
+                                       std::move(ended)))}}}};
+}
+
+json paths() {
+  const std::string at = "/sites/{siteId}";
+  json listed = with_refusals({}, {});
+  listed["200"] = answer("Every site and how its forecast is", reference("schemas", "Sites"));
+  json out{
+      {"/sites",
+       {{"get", operation("list_sites", "Sites", "Sites", json::array(), std::move(listed))}}},
+      {at, answer_of("get_site", "What lies at a site", "a map of it has it", {})},
+      {at + "/windows", answer_of("get_windows", "When tasks can be begun",
+                                  "slackwater windows --json", words_of_windows())},
+      {at + "/report", answer_of("get_report", "Go or no-go, today and tomorrow",
+                                 "slackwater report --json", words_of_windows())},
+      {at + "/plan", answer_of("get_plan", "What to do when", "slackwater plan --json",
+                               {{"chance", "Take no start of a smaller probability", "0.5"},
+                                {"time-limit", "Of the search, s; at most 20", "5"},
+                                {"assume", "What no forecast serves", "visibility_m=5000", true}})},
+      {at + "/verification",
+       answer_of("get_verification", "How past forecasts did", "slackwater verify --json",
+                 {{"from", "First day D", "2025-03-01"},
+                  {"to", "Last day D", "2025-03-12"},
+                  {"bands", "Edges of depth bands, m", "0,150"}},
+                 "Skill")},
+      {at + "/sources",
+       answer_of("get_sources", "What a forecast would rest on", "slackwater site sources --json",
+                 {{"day", "Day D; else the newest whole one", "2025-03-12"},
+                  {"horizon", "Beyond the end of D", "72h"},
+                  {"wind", "best, forecast or persist", "best"}})},
+      {at + "/decisions",
+       answer_of("get_decisions", "What was decided, and what came", "slackwater decisions --json",
+                 {{"task", "Only of this one", "blade_scan"},
+                  {"from", "Only starts from this day on", "2025-03-01"}})},
+      {at + "/texts", answer_of("get_texts", "The YAML of site, tasks and plan",
+                                "people wrote them", {}, "Texts")},
+      {at + "/what-if", what_if()}};
+  out.update(mission_paths());
+  return out;
+}
+
+json path_parameter(const char* name, const char* description, const char* example) {
+  return {{"name", name},     {"in", "path"},       {"required", true},
+          {"schema", text()}, {"example", example}, {"description", description}};
+}
+
+json schemas() {
+  const json texts = object({{"site", text()},
+                             {"tasks", {{"type", "object"}, {"additionalProperties", text()}}},
+                             {"plan", {{"type", "string"}, {"nullable", true}}}});
+  return {{"Sites", object({{"now", text()}, {"sites", list_of({{"type", "object"}})}})},
+          {"Answer", {{"type", "object"}}},
+          {"Skill", list_of({{"type", "object"}})},
+          {"Texts", texts},
+          {"WhatIf", object({{"texts", texts}, {"query", text()}})},
+          {"WhatIfAnswer", object({{"windows", {{"type", "object"}}},
+                                   {"plan", {{"type", "object"}, {"nullable", true}}},
+                                   {"no_plan", {{"type", "string"}, {"nullable", true}}}})},
+          {"Mission", object({{"mission", text()},
+                              {"starts", list_of(text())},
+                              {"members", {{"type", "integer"}}}})},
+          {"MissionJob",
+           object({{"id", text()},
+                   {"state",
+                    {{"type", "string"},
+                     {"enum", json::array({"waiting", "flying", "done", "cancelled", "failed"})}}},
+                   {"share", {{"type", "number"}}},
+                   {"why", {{"type", "string"}, {"nullable", true}}},
+                   {"result", {{"type", "object"}, {"nullable", true}}}})}};
+}
+
+}  // namespace
+
+json interface_document() {
+  return {{"info",
+           {{"description",
+             "Forecasts of current, wind and waves for offshore sites over OGC API-EDR 1.1; what "
+             "the commands answer about a site, as the same JSON; and rehearsals of missions. "
+             "Nothing writes to the store. What costs cores (what-if, missions) is for this "
+             "machine, and for who shows the token of --token-file."}}},
+          {"paths", paths()},
+          {"components",
+           {{"parameters",
+             {{"siteId", path_parameter("siteId", "A site, by its id in /sites", "saint_brieuc")},
+              {"missionId",
+               path_parameter("missionId", "A rehearsal, by its id", "0123456789abcdef")}}},
+            {"schemas", schemas()},
+            {"securitySchemes", {{"operator", {{"type", "http"}, {"scheme", "bearer"}}}}}}}};
+}
+
+}  // namespace slackwater::api::desk

@@ -1,0 +1,84 @@
+#include "api/door/desk/kept_answers.h"
+
+#include <algorithm>
+
+namespace slackwater::api::desk {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_kept = 64;
+/// Hours that have passed are told by none of them.
+constexpr std::chrono::seconds longest{60};
+
+void add_mark(const fs::path& file, std::string& mark) {
+  std::error_code unreadable;
+  const auto written = fs::last_write_time(file, unreadable).time_since_epoch().count();
+  if (unreadable) return;
+  mark += file.filename().string() + ' ' + std::to_string(written) + ' ' +
+          std::to_string(fs::file_size(file, unreadable)) + '\n';
+}
+
+void add_folder(const fs::path& folder, std::string& mark) {
+  std::error_code unreadable;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, unreadable))
+    files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) add_mark(file, mark);
+}
+
+}  // namespace
+
+std::string mark_of(const fs::path& store_folder, const fs::path& data_folder) {
+  std::string mark;
+  for (const char* file : {"catalogue.sqlite", "catalogue.sqlite-wal"})
+    add_mark(store_folder / file, mark);
+  for (const char* folder : {"sites", "plans"}) add_folder(store_folder / folder, mark);
+  for (const char* folder : {"sites", "tasks", "vessels"}) add_folder(data_folder / folder, mark);
+  return mark;
+}
+
+KeptAnswers::KeptAnswers(fs::path store_folder, fs::path data_folder)
+    : store_folder_(std::move(store_folder)), data_folder_(std::move(data_folder)) {}
+
+void KeptAnswers::make_room() {
+  while (kept_.size() >= most_kept)
+    kept_.erase(std::min_element(kept_.begin(), kept_.end(), [](const auto& a, const auto& b) {
+      return a.second.number < b.second.number;
+    }));
+}
+
+http::Response KeptAnswers::answer(const std::string& question, const Make& make) {
+  const std::string mark = mark_of(store_folder_, data_folder_);
+  std::promise<std::shared_ptr<const http::Response>> promise;
+  Pending pending;
+  std::size_t number = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = kept_.find(question);
+    if (found != kept_.end() && found->second.mark == mark &&
+        Clock::now() - found->second.since < longest) {
+      pending = found->second.response;
+    } else {
+      if (found != kept_.end()) kept_.erase(found);
+      make_room();
+      number = ++last_;
+      kept_[question] = {promise.get_future().share(), mark, Clock::now(), number};
+    }
+  }
+  if (number == 0) return *pending.get();
+  try {
+    auto made = std::make_shared<const http::Response>(make());
+    promise.set_value(made);
+    return *made;
+  } catch (...) {
+    promise.set_exception(std::current_exception());
+    const std::lock_guard lock(mutex_);
+    const auto mine = kept_.find(question);
+    if (mine != kept_.end() && mine->second.number == number) kept_.erase(mine);
+    throw;
+  }
+}
+
+}  // namespace slackwater::api::desk

@@ -1,0 +1,46 @@
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "api/door/http/message.h"
+
+namespace slackwater::api::desk {
+
+/// What the answers of a store rest on, as far as files tell: its catalogue, its sites and plans,
+/// and the task sheets. Two equal marks: nothing was written between.
+[[nodiscard]] std::string mark_of(const std::filesystem::path& store_folder,
+                                  const std::filesystem::path& data_folder);
+
+/// Answers that many ask for at once, and again: each is worked out once, and kept until the store
+/// changes or a minute is over. Thread-safe.
+class KeptAnswers {
+ public:
+  using Make = std::function<http::Response()>;
+  KeptAnswers(std::filesystem::path store_folder, std::filesystem::path data_folder);
+
+  /// @param question  the same for the same answer; @throws what `make` throws, which is not kept
+  [[nodiscard]] http::Response answer(const std::string& question, const Make& make);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using Pending = std::shared_future<std::shared_ptr<const http::Response>>;
+  struct Kept {
+    Pending response;
+    std::string mark;
+    Clock::time_point since;
+    std::size_t number = 0;
+  };
+  void make_room();
+
+  std::filesystem::path store_folder_, data_folder_;
+  std::mutex mutex_;
+  std::map<std::string, Kept> kept_;
+  std::size_t last_ = 0;
+};
+
+}  // namespace slackwater::api::desk

@@ -1,0 +1,403 @@
+#include "api/door/edr/sample/product_queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "api/door/edr/read/bad_parameter.h"
+#include "api/door/edr/read/bbox.h"
+#include "api/door/edr/read/datetime.h"
+#include "api/door/edr/read/distance.h"
+#include "api/door/edr/read/parameter_names.h"
+#include "api/door/edr/read/resolution.h"
+#include "api/door/edr/read/wkt.h"
+#include "api/door/edr/sample/asked_area.h"
+#include "api/door/edr/sample/work.h"
+#include "api/issued/product_values.h"
+#include "fields/base/error.h"
+#include "fields/base/text.h"
+
+namespace slackwater::api::edr {
+namespace {
+
+/// Products are stored each day at least: around an instant there is a time this near, or none.
+constexpr Duration about_an_instant = std::chrono::hours(25);
+
+/// What of a product a query asks for, whatever the places.
+struct Asked {
+  const StoredProduct* product = nullptr;
+  std::vector<Parameter> all;
+  std::vector<std::size_t> parameters;
+  std::optional<UtcTime> instant;
+  UtcTime from{};
+  UtcTime to{};
+  std::optional<std::string> z;
+};
+
+Error outside(const StoredProduct& product, const std::string& found) {
+  return {ErrorKind::not_found, "found " + found + "; " + held_text(product)};
+}
+
+Asked asked_of(const StoredProduct& product, const QueryString& query) {
+  Asked asked;
+  asked.product = &product;
+  asked.all = parameters_of(product);
+  if (const auto wanted = query.find("parameter-name")) {
+    std::vector<std::string> names;
+    names.reserve(asked.all.size());
+    for (const Parameter& parameter : asked.all) names.push_back(parameter.name);
+    asked.parameters = parse_parameter_names(*wanted, names);
+  } else {
+    asked.parameters.resize(asked.all.size());
+    std::iota(asked.parameters.begin(), asked.parameters.end(), 0);
+  }
+  asked.from = product.from;
+  asked.to = product.to;
+  if (const auto text = query.find("datetime")) {
+    const TimeRange range = parse_datetime(*text);
+    asked.from = std::max(asked.from, range.from.value_or(asked.from));
+    asked.to = std::min(asked.to, range.to.value_or(asked.to));
+    if (asked.from > asked.to) throw outside(product, "datetime " + shown(*text));
+    if (range.is_instant()) {
+      asked.instant = asked.from;
+      asked.from -= about_an_instant;
+      asked.to += about_an_instant;
+    }
+  }
+  asked.z = query.find("z");
+  return asked;
+}
+
+std::vector<UtcTime> times_of(const Asked& asked, const ProductView& view,
+                              std::vector<std::string>& notes) {
+  const std::vector<UtcTime>& all = view.time();
+  if (all.empty()) {
+    const std::string when = asked.instant ? format_utc(*asked.instant)
+                                           : format_utc(asked.from) + "/" + format_utc(asked.to);
+    throw outside(*asked.product, "no time of the product there in " + when);
+  }
+  if (!asked.instant) return all;
+  const auto nearest = std::min_element(all.begin(), all.end(), [&](UtcTime a, UtcTime b) {
+    const auto off = [&](UtcTime time) {
+      return time < *asked.instant ? *asked.instant - time : time - *asked.instant;
+    };
+    return off(a) < off(b);
+  });
+  if (*nearest != *asked.instant) {
+    notes.push_back(format_utc(*asked.instant) + " is between the product's times: its values of " +
+                    format_utc(*nearest) + ", the nearest, are given");
+  }
+  return {*nearest};
+}
+
+/// Empty without a vertical.
+std::vector<double> levels_of(const Asked& asked, const ProductView& view) {
+  const StoredProduct& product = *asked.product;
+  const Vertical vertical = vertical_of(product);
+  const std::vector<double>& all = view.levels_m();
+  if (vertical == Vertical::none || all.empty()) {
+    if (asked.z && !asked.z->empty()) {
+      throw Error(ErrorKind::usage, "z: found " + shown(*asked.z) + "; the collection " +
+                                        product.id + " has no vertical; leave z out");
+    }
+    return {};
+  }
+  if (!asked.z) return all;
+  constexpr double rounding_m = 1e-3;
+  const std::string held =
+      formatted("{} {:g} to {:g} m", vertical == Vertical::height_up ? "height" : "depth",
+                all.front(), all.back());
+  return levels_asked(*asked.z, all.front() - rounding_m, all.back() + rounding_m, all,
+                      "the product", held);
+}
+
+/// Places of the answer, and how they become coverages.
+struct Places {
+  std::vector<GeoPoint> point;
+  std::vector<double> longitude_deg;  ///< axes of a grid; of points one each
+  std::vector<double> latitude_deg;
+  std::vector<std::size_t> cell;  ///< of a grid: which cell each point is
+  bool is_grid = false;
+};
+
+GeoPoint point_of(double longitude_deg, double latitude_deg) {
+  return GeoPoint::from_degrees(latitude_deg, std::remainder(longitude_deg, 360.0));
+}
+
+ProductWindow window_of(const Asked& asked, const Box& box) {
+  return {box.west_deg, box.south_deg, box.east_deg, box.north_deg, asked.from, asked.to};
+}
+
+/// The value `i` of a time, level and place, put where a coverage has it.
+struct Block {
+  std::size_t times = 0;
+  std::size_t levels = 0;
+  std::size_t places = 0;
+};
+
+/// One place out of a block of many.
+std::vector<double> of_place(const std::vector<double>& values, const Block& block,
+                             std::size_t place) {
+  std::vector<double> out;
+  out.reserve(block.times * block.levels);
+  for (std::size_t i = 0; i < block.times * block.levels; ++i)
+    out.push_back(values[i * block.places + place]);
+  return out;
+}
+
+/// Its places spread over the cells of a grid.
+std::vector<double> on_cells(const std::vector<double>& values, const Block& block,
+                             const Places& places) {
+  const std::size_t cells = places.longitude_deg.size() * places.latitude_deg.size();
+  std::vector<double> out(block.times * block.levels * cells, std::nan(""));
+  for (std::size_t i = 0; i < block.times * block.levels; ++i)
+    for (std::size_t p = 0; p < block.places; ++p)
+      out[i * cells + places.cell[p]] = values[i * block.places + p];
+  return out;
+}
+
+/// How many levels from the first on have a value anywhere; one at least.
+std::size_t levels_with_values(const ProductValues& values, const Block& block) {
+  std::size_t count = 1;
+  const std::vector<double>& first = values.value.front();
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const std::size_t level = i / block.places % block.levels;
+    if (level >= count && !std::isnan(first[i])) count = level + 1;
+  }
+  return count;
+}
+
+/// Without the levels behind the first `count`.
+void cut_levels(ProductValues& values, Block& block, std::size_t count) {
+  for (std::vector<double>& all : values.value) {
+    std::vector<double> kept;
+    kept.reserve(block.times * count * block.places);
+    for (std::size_t t = 0; t < block.times; ++t) {
+      const auto begin = all.begin() + static_cast<std::ptrdiff_t>(t * block.levels * block.places);
+      kept.insert(kept.end(), begin, begin + static_cast<std::ptrdiff_t>(count * block.places));
+    }
+    all = std::move(kept);
+  }
+  values.absent.resize(count);
+  block.levels = count;
+}
+
+std::size_t absent(const ProductValues& values, SampleStatus status) {
+  std::size_t count = 0;
+  for (const auto& level : values.absent) count += level[static_cast<std::size_t>(status)];
+  return count;
+}
+
+void add_notes(const StoredProduct& product, const ProductValues& values, std::size_t damaged,
+               std::vector<std::string>& notes) {
+  for (std::size_t i = 0; i < sample_status_count; ++i) {
+    const auto status = static_cast<SampleStatus>(i);
+    const std::size_t count = absent(values, status);
+    if (count == 0) continue;
+    notes.push_back(std::to_string(count) + " places and times without a value: " +
+                    std::string(name_of(status)) + "; " + held_text(product));
+  }
+  if (values.averaged > Duration(0)) {
+    notes.push_back(
+        formatted("values are means over {:g} h about their times", hours_of(values.averaged)));
+  }
+  if (values.most_members > 0)
+    notes.push_back("means of " + std::to_string(values.most_members) + " members of an ensemble");
+  if (values.contains_stokes) notes.emplace_back("the currents hold Stokes drift");
+  if (damaged > 0)
+    notes.push_back("left out: " + counted(damaged, "stored file") + " of the product, damaged");
+}
+
+Answer filled(const Asked& asked, const ProductView& view, const Places& places,
+              std::vector<UtcTime> times, std::vector<double> levels,
+              std::vector<std::string> notes) {
+  const StoredProduct& product = *asked.product;
+  ProductValues values = view.values(places.point, times, levels);
+  Block block{times.size(), std::max<std::size_t>(1, levels.size()), places.point.size()};
+  if (!places.is_grid &&
+      absent(values, SampleStatus::land) == block.times * block.levels * block.places)
+    throw outside(product, "coords on land");
+  if (!asked.z && block.levels > 1) {
+    const std::size_t count = levels_with_values(values, block);
+    cut_levels(values, block, count);
+    levels.resize(count);
+  }
+  Answer answer;
+  answer.collection = product.id;
+  answer.title = title_of(product);
+  answer.vertical = vertical_of(product);
+  for (const std::size_t i : asked.parameters) answer.parameters.push_back(asked.all[i]);
+  answer.notes = std::move(notes);
+  add_notes(product, values, view.damaged(), answer.notes);
+  answer.provenance.attributions = product.attributions;
+  answer.provenance.product = ProductSource{product.product_id,
+                                            product.dataset_id,
+                                            {values.runs.begin(), values.runs.end()},
+                                            {values.sources.begin(), values.sources.end()}};
+  const std::vector<std::vector<double>> all =
+      values_of(product, asked.parameters, std::move(values.value));
+  const auto coverage_at = [&](DomainType domain, std::vector<double> x, std::vector<double> y) {
+    Coverage coverage;
+    coverage.domain = domain;
+    coverage.longitude_deg = std::move(x);
+    coverage.latitude_deg = std::move(y);
+    coverage.vertical_m = levels;
+    coverage.time = times;
+    return coverage;
+  };
+  if (places.is_grid) {
+    Coverage coverage = coverage_at(DomainType::grid, places.longitude_deg, places.latitude_deg);
+    for (const auto& each : all) coverage.values.push_back(on_cells(each, block, places));
+    answer.coverages.push_back(std::move(coverage));
+    return answer;
+  }
+  for (std::size_t p = 0; p < places.point.size(); ++p) {
+    Coverage coverage = coverage_at(domain_at_point(times.size(), levels.size()),
+                                    {places.longitude_deg[p]}, {places.latitude_deg[p]});
+    for (const auto& each : all) coverage.values.push_back(of_place(each, block, p));
+    answer.coverages.push_back(std::move(coverage));
+  }
+  return answer;
+}
+
+Answer at_points(const std::filesystem::path& store, const Asked& asked, const Path& points) {
+  const StoredProduct& product = *asked.product;
+  Places places;
+  Box box{1e9, 1e9, -1e9, -1e9};
+  for (const Vertex& point : points) {
+    const GeoPoint at = point_of(point.longitude_deg, point.latitude_deg);
+    if (!product.bounds.contains(at)) {
+      throw outside(product, formatted("coords at {:.5f} {:.5f}, outside the product",
+                                       point.longitude_deg, point.latitude_deg));
+    }
+    places.point.push_back(at);
+    places.longitude_deg.push_back(point.longitude_deg);
+    places.latitude_deg.push_back(point.latitude_deg);
+    box = {std::min(box.west_deg, point.longitude_deg), std::min(box.south_deg, point.latitude_deg),
+           std::max(box.east_deg, point.longitude_deg),
+           std::max(box.north_deg, point.latitude_deg)};
+  }
+  const ProductView view(store, product, window_of(asked, box));
+  std::vector<std::string> notes;
+  std::vector<UtcTime> times = times_of(asked, view, notes);
+  std::vector<double> levels = levels_of(asked, view);
+  static_cast<void>(moderate_work(
+      asked.parameters.size(),
+      points.size() * times.size() * std::max<std::size_t>(1, levels.size()), points.size()));
+  return filled(asked, view, places, std::move(times), std::move(levels), std::move(notes));
+}
+
+/// The product's own cells in the shape, or an even grid over it.
+Axes axes_of(const ProductView& view, const AskedArea& shape, const Box& box,
+             const QueryString& query) {
+  static_cast<void>(moderate_comparisons(view.longitude_deg().size() * view.latitude_deg().size(),
+                                         shape.vertices));
+  Axes axes;
+  for (const double x : view.longitude_deg()) {
+    if (std::any_of(view.latitude_deg().begin(), view.latitude_deg().end(),
+                    [&](double y) { return shape.is_inside(x, y); }))
+      axes.longitude_deg.push_back(x);
+  }
+  for (const double y : view.latitude_deg()) {
+    if (std::any_of(view.longitude_deg().begin(), view.longitude_deg().end(),
+                    [&](double x) { return shape.is_inside(x, y); }))
+      axes.latitude_deg.push_back(y);
+  }
+  if (axes.longitude_deg.empty()) axes = some_place_in(box, shape.is_inside);
+  if (const auto count = resolution_in(query, "resolution-x"))
+    axes.longitude_deg = even_axis(box.west_deg, box.east_deg, *count);
+  if (const auto count = resolution_in(query, "resolution-y"))
+    axes.latitude_deg = even_axis(box.south_deg, box.north_deg, *count);
+  return axes;
+}
+
+Answer over(const std::filesystem::path& store, const Asked& asked, const AskedArea& shape,
+            const QueryString& query) {
+  const StoredProduct& product = *asked.product;
+  const slackwater::BoundingBox& held = product.bounds;
+  const double east = held.east_deg < held.west_deg ? held.east_deg + 360 : held.east_deg;
+  const Box box = shared(shape.box, {held.west_deg, held.south_deg, east, held.north_deg});
+  if (box.west_deg > box.east_deg || box.south_deg > box.north_deg)
+    throw outside(product, "an area that the product does not reach");
+  const ProductView view(store, product, window_of(asked, box));
+  std::vector<std::string> notes;
+  std::vector<UtcTime> times = times_of(asked, view, notes);
+  std::vector<double> levels = levels_of(asked, view);
+  if (const auto count = resolution_in(query, "resolution-z"); count && levels.size() > 1)
+    levels = even_axis(levels.front(), levels.back(), *count);
+  const Axes axes = axes_of(view, shape, box, query);
+  const std::size_t cells = axes.longitude_deg.size() * axes.latitude_deg.size();
+  static_cast<void>(moderate_work(
+      asked.parameters.size(), cells * times.size() * std::max<std::size_t>(1, levels.size()), 1));
+  static_cast<void>(moderate_comparisons(cells, shape.vertices));
+  Places places;
+  places.is_grid = true;
+  places.longitude_deg = axes.longitude_deg;
+  places.latitude_deg = axes.latitude_deg;
+  for (std::size_t j = 0; j < axes.latitude_deg.size(); ++j) {
+    for (std::size_t i = 0; i < axes.longitude_deg.size(); ++i) {
+      const double x = axes.longitude_deg[i];
+      const double y = axes.latitude_deg[j];
+      if (!shape.is_inside(x, y)) continue;
+      places.point.push_back(point_of(x, y));
+      places.cell.push_back(j * axes.longitude_deg.size() + i);
+    }
+  }
+  return filled(asked, view, places, std::move(times), std::move(levels), std::move(notes));
+}
+
+std::string needed(const QueryString& query, std::string_view name, std::string_view example) {
+  const auto text = query.find(name);
+  if (!text) throw bad_parameter(name, "nothing", example);
+  return std::string(*text);
+}
+
+}  // namespace
+
+Answer product_answer(const std::filesystem::path& store, const StoredProduct& product,
+                      const QueryType& type, const QueryString& query) {
+  Asked asked = asked_of(product, query);
+  if (type.name == "cube") {
+    const BoundingBox cube =
+        parse_bbox(needed(query, "bbox", "west,south,east,north, e.g. 2.0,53.0,2.5,53.4"));
+    if (vertical_of(product) == Vertical::none) {
+      asked.z.reset();  // EDR 1.1 asks for z with every cube: here there is nothing to cut by it
+    } else if (!asked.z && cube.levels) {
+      asked.z = formatted("{}/{}", cube.levels->low, cube.levels->high);
+    } else if (!asked.z) {
+      throw bad_parameter("z", "nothing", "levels of the cube, e.g. 0/50 or 0,10,20");
+    }
+    return over(store, asked, shape_of(cube.box), query);
+  }
+  const std::string coords = needed(query, "coords", "Well Known Text, e.g. POINT(-2.55 48.85)");
+  if (type.name == "area") {
+    return over(
+        store, asked,
+        shape_of(parse_wkt("coords", coords, {GeometryType::polygon, GeometryType::multi_polygon})),
+        query);
+  }
+  if (type.name == "radius") {
+    const Geometry centre = parse_wkt("coords", coords, {GeometryType::point});
+    const Vertex& middle = centre.parts.front().front().front();
+    const double radius_m =
+        parse_distance_m("within", needed(query, "within", "a distance, e.g. 5"), "within-units",
+                         needed(query, "within-units", "a unit, e.g. km"));
+    return over(store, asked, circle(middle.longitude_deg, middle.latitude_deg, radius_m), query);
+  }
+  const Geometry geometry =
+      parse_wkt("coords", coords, {GeometryType::point, GeometryType::multi_point});
+  const Path& points = geometry.parts.front().front();
+  if (geometry.has_vertical && !asked.z && vertical_of(product) != Vertical::none)
+    asked.z = formatted("{}", points.front().vertical);
+  return at_points(store, asked, points);
+}
+
+Answer product_answer_at(const std::filesystem::path& store, const StoredProduct& product,
+                         const GeoPoint& place, const QueryString& query) {
+  Vertex at;
+  at.longitude_deg = place.longitude_deg();
+  at.latitude_deg = place.latitude_deg();
+  return at_points(store, asked_of(product, query), {at});
+}
+
+}  // namespace slackwater::api::edr

@@ -1,0 +1,345 @@
+#include "api/issued/product_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "data/store/layout.h"
+#include "data/store/proven_content.h"
+#include "fields/base/constants.h"
+#include "fields/base/error.h"
+#include "fields/base/log.h"
+#include "fields/geo/coverage.h"
+#include "fields/interpolate/column_levels.h"
+#include "fields/record/choose.h"
+#include "ingest/cf/granule_file.h"
+#include "ingest/pieces.h"
+
+namespace slackwater::api {
+namespace {
+
+/// Cells this near are one: axes of single precision.
+constexpr double same_cell_deg = 2e-5;
+constexpr double same_level_m = 1e-3;
+/// Values of a quantity that are read at once where the window lets it: 16 MB.
+constexpr std::size_t read_at_once = 4'000'000;
+/// What `pieces_of` reads around the places, degrees; a cell more on either side.
+constexpr double read_around_deg = 0.3;
+
+GeoPoint point_at(double latitude_deg, double longitude_deg) {
+  return GeoPoint::from_degrees(latitude_deg, std::remainder(longitude_deg, 360.0));
+}
+
+/// The window as a site, which is how data are read: its corners are the columns.
+Site site_of(const ProductWindow& window) {
+  Site site;
+  site.id = "window";
+  // Next to its middle the corners keep their turn.
+  site.point = point_at(0.5 * (window.south_deg + window.north_deg),
+                        0.5 * (window.west_deg + window.east_deg));
+  site.columns = {point_at(window.south_deg, window.west_deg),
+                  point_at(window.north_deg, window.east_deg)};
+  return site;
+}
+
+void add_near(std::vector<double>& sorted, double value, double same) {
+  const auto next = std::lower_bound(sorted.begin(), sorted.end(), value - same);
+  if (next == sorted.end() || *next > value + same) sorted.insert(next, value);
+}
+
+/// As the window counts it.
+double in_window(double longitude_deg, const ProductWindow& window) {
+  const double middle = 0.5 * (window.west_deg + window.east_deg);
+  return longitude_deg + 360.0 * std::round((middle - longitude_deg) / 360.0);
+}
+
+/// How many entries of an axis lie within a range, with one more on either side.
+std::size_t count_around(const std::vector<double>& axis, double low, double high) {
+  const auto begin = std::lower_bound(axis.begin(), axis.end(), low);
+  const auto end = std::upper_bound(axis.begin(), axis.end(), high);
+  return std::min(axis.size(), static_cast<std::size_t>(end - begin) + 2);
+}
+
+std::size_t cells_read(const Grid& grid, const ProductWindow& window) {
+  const double middle = 0.5 * (grid.longitude_deg.front() + grid.longitude_deg.back());
+  const double turn =
+      360.0 * std::round((middle - 0.5 * (window.west_deg + window.east_deg)) / 360.0);
+  return grid.levels() *
+         count_around(grid.latitude_deg, window.south_deg - read_around_deg,
+                      window.north_deg + read_around_deg) *
+         count_around(grid.longitude_deg, window.west_deg + turn - read_around_deg,
+                      window.east_deg + turn + read_around_deg);
+}
+
+std::string run_of(const Origin& origin) {
+  if (origin.status != DataStatus::forecast) return std::string(name_of(origin.status));
+  if (!origin.reference_time) return "forecast";
+  return "forecast of " + format_utc(*origin.reference_time);
+}
+
+double forecast_period_h(const Origin& origin, UtcTime time) {
+  if (origin.status != DataStatus::forecast) return 0;
+  return origin.reference_time ? hours_between(*origin.reference_time, time) : constants::nan;
+}
+
+double part_of(double value, std::size_t /*quantity*/) { return value; }
+double part_of(Horizontal value, std::size_t quantity) {
+  return quantity == 0 ? value.real() : value.imag();
+}
+
+const Column<double>& at_levels(const Column<double>& column, std::span<const double> /*levels*/) {
+  return column;
+}
+VectorColumn at_levels(const VectorColumn& column, std::span<const double> levels_m) {
+  if (levels_m.empty() || column.levels_m.empty()) return column;
+  return at_depths(column, {levels_m.begin(), levels_m.end()});
+}
+
+/// Where the values of some times are put.
+class Sheet {
+ public:
+  Sheet(ProductValues& out, std::span<const UtcTime> all, std::size_t levels, std::size_t places)
+      : out_(out), all_(all), levels_(levels), places_(places) {}
+
+  [[nodiscard]] std::size_t levels() const noexcept { return levels_; }
+  [[nodiscard]] std::optional<std::size_t> row(UtcTime time) const {
+    const auto found = std::lower_bound(all_.begin(), all_.end(), time);
+    if (found == all_.end() || *found != time) return std::nullopt;
+    return static_cast<std::size_t>(found - all_.begin());
+  }
+  void put(std::size_t quantity, std::size_t row, std::size_t level, std::size_t place,
+           double value) {
+    out_.value[quantity][(row * levels_ + level) * places_ + place] = value;
+  }
+  ProductValues& out() noexcept { return out_; }
+
+ private:
+  ProductValues& out_;
+  std::span<const UtcTime> all_;
+  std::size_t levels_;
+  std::size_t places_;
+};
+
+/// Some times of one place.
+struct Stretched {
+  std::span<const UtcTime> times;
+  std::span<const double> levels_m;
+  std::size_t place = 0;
+};
+
+/// At a level of the product its own reason; between levels nobody knows one.
+template <typename T>
+SampleStatus why_absent(const Column<T>& column, std::size_t t, std::size_t k,
+                        std::span<const double> levels_m) {
+  if (levels_m.empty() || column.levels_m.empty()) return column.status[column.offset(t, 0)];
+  for (std::size_t i = 0; i < column.levels(); ++i)
+    if (std::abs(column.levels_m[i] - levels_m[k]) <= same_level_m)
+      return column.status[column.offset(t, i)];
+  return SampleStatus::missing;
+}
+
+/// A chosen series into the sheet, as `parts` quantities from `first` on.
+/// @param is_leading  what is absent is counted by it, and it says of which run values are
+template <typename T>
+void put_series(const Chosen<T>& chosen, bool on_land, std::size_t first, std::size_t parts,
+                bool is_leading, const Stretched& wanted, Sheet& sheet) {
+  std::vector<bool> has_row(wanted.times.size(), false);
+  const auto column = at_levels(chosen.column, wanted.levels_m);
+  ProductValues& out = sheet.out();
+  const std::size_t period = out.value.size() - 1;
+  const auto count = [&](std::size_t level, SampleStatus status) -> std::size_t& {
+    return out.absent[level][static_cast<std::size_t>(status)];
+  };
+  for (std::size_t t = 0; t < chosen.column.times(); ++t) {
+    const UtcTime centre = chosen.column.time[t].centre();
+    const auto row = sheet.row(centre);
+    const auto here = std::lower_bound(wanted.times.begin(), wanted.times.end(), centre);
+    if (!row || here == wanted.times.end() || *here != centre) continue;
+    has_row[static_cast<std::size_t>(here - wanted.times.begin())] = true;
+    const Origin& origin = *chosen.origin[t];
+    bool is_used = false;
+    for (std::size_t k = 0; k < sheet.levels(); ++k) {
+      const std::size_t at = column.offset(t, std::min(k, column.levels() - 1));
+      if (!has_value(column.status[at])) {
+        if (is_leading) ++count(k, why_absent(chosen.column, t, k, wanted.levels_m));
+        continue;
+      }
+      is_used = true;
+      for (std::size_t q = 0; q < parts; ++q)
+        sheet.put(first + q, *row, k, wanted.place, part_of(column.value[at], q));
+      if (is_leading) sheet.put(period, *row, k, wanted.place, forecast_period_h(origin, centre));
+    }
+    if (!is_used) continue;
+    out.runs.insert(run_of(origin));
+    const TimeCell& cell = chosen.column.time[t];
+    out.averaged = std::max(out.averaged, Duration(cell.end - cell.start));
+    out.sources.insert(origin.sources.begin(), origin.sources.end());
+    out.contains_stokes = out.contains_stokes || origin.contains_stokes;
+  }
+  if (!is_leading) return;
+  for (const Stretch& stretch : chosen.stretches)
+    out.most_members = std::max(out.most_members, stretch.members);
+  const auto none = static_cast<std::size_t>(std::count(has_row.begin(), has_row.end(), false));
+  const bool is_land = on_land && chosen.empty();
+  for (std::size_t k = 0; k < sheet.levels(); ++k)
+    count(k, is_land ? SampleStatus::land : SampleStatus::missing) += none;
+}
+
+Choice grids_alone() {
+  Choice choice;
+  choice.only_grids = true;
+  return choice;
+}
+
+void put_vector(const std::vector<VectorPiece>& pieces, const GeoPoint& point,
+                const Stretched& wanted, Sheet& sheet) {
+  const VectorRecord record = record_at(pieces, point);
+  put_series(choose(record, Knowledge{}, grids_alone()), record.on_land, 0, 2, true, wanted, sheet);
+}
+
+/// Height, period and direction of one run, as far as the product has them.
+void put_waves(const SitePieces& pieces, const std::vector<std::string>& held,
+               const GeoPoint& point, const Stretched& wanted, Sheet& sheet) {
+  const std::map<std::string, const std::vector<ScalarPiece>*> by_name{
+      {quantities_of(ProductKind::waves)[0], &pieces.significant_height},
+      {quantities_of(ProductKind::waves)[1], &pieces.peak_period},
+      {quantities_of(ProductKind::waves)[2], &pieces.wave_direction}};
+  std::vector<ScalarRecord> records;  // outlive what was chosen from them
+  std::vector<Stretch> leading;
+  records.reserve(held.size());
+  for (std::size_t q = 0; q < held.size(); ++q) {
+    records.push_back(record_at(*by_name.at(held[q]), point));
+    Choice choice = grids_alone();
+    if (q > 0 && !leading.empty()) choice.like = &leading;
+    const Chosen<double> chosen = choose(records.back(), Knowledge{}, choice);
+    put_series(chosen, records.back().on_land, q, 1, q == 0, wanted, sheet);
+    if (q == 0) leading = chosen.stretches;
+  }
+}
+
+}  // namespace
+
+ProductView::ProductView(std::filesystem::path store, const StoredProduct& product,
+                         const ProductWindow& window)
+    : store_(std::move(store)), product_(product), window_(window) {
+  const BoundingBox box = site_of(window).box(0);
+  for (const store::GranuleRow& row : product.granules) {
+    if (*row.last_time < window.from || *row.first_time > window.to) continue;
+    if (overlaps(row.bounds, widened(box, ingest::granule_margin_km))) granules_.push_back(&row);
+  }
+  if (granules_.size() > most_files) {
+    throw Error(ErrorKind::usage, "found a query that reaches into " +
+                                      std::to_string(granules_.size()) +
+                                      " stored files of the product; expected at most " +
+                                      std::to_string(most_files) + ": narrow datetime");
+  }
+  std::size_t unreadable = 0;
+  const auto open = [&](const store::GranuleRow& row) {
+    const ingest::GranuleFile file =
+        ingest::GranuleFile::open(store::proven_content(store_, row.content_sha256));
+    const Grid& grid = file.granule().grid;
+    for (const TimeCell& cell : grid.time) {
+      if (cell.centre() < window.from || cell.centre() > window.to) continue;
+      time_.push_back(cell.centre());
+    }
+    for (const double level : grid.levels_m) add_near(levels_m_, level, same_level_m);
+    for (const double y : grid.latitude_deg)
+      if (y >= window.south_deg && y <= window.north_deg) add_near(latitude_deg_, y, same_cell_deg);
+    for (const double x : grid.longitude_deg) {
+      const double here = in_window(x, window);
+      if (here >= window.west_deg && here <= window.east_deg)
+        add_near(longitude_deg_, here, same_cell_deg);
+    }
+    cells_a_time_ = std::max(cells_a_time_, cells_read(grid, window));
+  };
+  std::erase_if(granules_, [&](const store::GranuleRow* row) {
+    if (store::content_fault(store_, row->content_sha256)) {
+      ++damaged_;
+      return true;
+    }
+    try {
+      open(*row);
+      return false;
+    } catch (const Error& error) {
+      log_event(LogLevel::warning, "stored file left out",
+                {{"product", product_.product_id}, {"problem", error.message()}});
+      ++unreadable;
+      return true;
+    }
+  });
+  damaged_ += unreadable;
+  if (granules_.empty() && damaged_ > 0) {
+    throw Error(ErrorKind::unavailable,
+                "the stored files of this product cannot be read now; tell the operator, who finds "
+                "them by `slackwater store check`");
+  }
+  stored_times_ = time_.size();
+  std::sort(time_.begin(), time_.end());
+  time_.erase(std::unique(time_.begin(), time_.end()), time_.end());
+}
+
+ProductValues ProductView::values(std::span<const GeoPoint> places, std::span<const UtcTime> times,
+                                  std::span<const double> levels_m) const {
+  ProductValues out;
+  const std::size_t levels = std::max<std::size_t>(1, levels_m.size());
+  out.value.assign(product_.standard_names.size() + 1,
+                   std::vector<double>(times.size() * levels * places.size(), constants::nan));
+  out.absent.resize(levels);
+  if (times.empty() || places.empty()) return out;
+  if (cells_a_time_ > most_read) {
+    throw Error(ErrorKind::usage, "found a query around " + std::to_string(cells_a_time_) +
+                                      " cells and levels of the product at each time; expected at "
+                                      "most " +
+                                      std::to_string(most_read) + ": narrow the area");
+  }
+  // Where runs overlap, a time is read once of each.
+  const std::size_t editions =
+      (stored_times_ + time_.size() - 1) / std::max<std::size_t>(1, time_.size());
+  const std::size_t at_once = std::max<std::size_t>(
+      1,
+      read_at_once / std::max<std::size_t>(1, cells_a_time_ * std::max<std::size_t>(1, editions)));
+  const auto& names = quantities_of(product_.kind);
+  Sheet sheet(out, times, levels, places.size());
+  for (std::size_t first = 0; first < times.size(); first += at_once) {
+    const auto part = times.subspan(first, std::min(at_once, times.size() - first));
+    const auto find = [&](const std::vector<std::string>& asked, const ingest::CutOut& window) {
+      std::vector<ingest::GranuleEntry> found;
+      for (const store::GranuleRow* row : granules_) {
+        const bool is_wanted =
+            std::any_of(asked.begin(), asked.end(), [&](const std::string& name) {
+              return std::find(names.begin(), names.end(), name) != names.end() &&
+                     std::find(row->standard_names.begin(), row->standard_names.end(), name) !=
+                         row->standard_names.end();
+            });
+        if (!is_wanted || *row->last_time < window.from || *row->first_time > window.to) continue;
+        found.push_back({row->id, row->source_sha256, row->product_id, row->standard_names,
+                         store::proven_content(store_, row->content_sha256), row->ingested_at,
+                         row->published_at});
+      }
+      return found;
+    };
+    SitePieces pieces;
+    try {
+      pieces = ingest::pieces_of(site_of(window_), part.front(), part.back(), find);
+    } catch (const Error& error) {
+      log_event(LogLevel::error, "stored product cannot be read",
+                {{"product", product_.product_id}, {"problem", error.message()}});
+      throw Error(ErrorKind::unavailable,
+                  "the stored files of this product cannot be read now; tell the operator, who "
+                  "finds them by `slackwater store check`");
+    }
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      const Stretched wanted{part, levels_m, p};
+      if (product_.kind == ProductKind::waves) {
+        put_waves(pieces, product_.standard_names, places[p], wanted, sheet);
+      } else {
+        put_vector(product_.kind == ProductKind::currents ? pieces.current : pieces.wind, places[p],
+                   wanted, sheet);
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace slackwater::api

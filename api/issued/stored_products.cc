@@ -1,0 +1,153 @@
+#include "api/issued/stored_products.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace slackwater::api {
+namespace {
+
+constexpr std::array kinds{ProductKind::currents, ProductKind::wind, ProductKind::waves};
+
+bool holds(const store::GranuleRow& row, const std::string& name) {
+  return std::find(row.standard_names.begin(), row.standard_names.end(), name) !=
+         row.standard_names.end();
+}
+
+bool holds_any(const store::GranuleRow& row, ProductKind kind) {
+  const auto& names = quantities_of(kind);
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return holds(row, name); });
+}
+
+/// Files that name neither their product nor their dataset may be anybody's: those are one that
+/// cover the same place.
+auto dataset_of(const store::GranuleRow& row, ProductKind kind) {
+  const bool is_nobodys = row.product_id == "cf" || row.product_id == "unnamed_weather";
+  const BoundingBox box = is_nobodys ? row.bounds : BoundingBox{};
+  return std::tuple(kind, row.product_id, row.dataset_id, row.vertical, box.west_deg, box.south_deg,
+                    box.east_deg, box.north_deg);
+}
+
+/// What a path segment holds without being encoded.
+std::string fit_for_a_path(std::string text) {
+  for (char& c : text) {
+    const auto letter = static_cast<unsigned char>(c);
+    if (letter >= 128 || (std::isalnum(letter) == 0 && c != '.' && c != '_' && c != '-')) c = '_';
+  }
+  return text;
+}
+
+BoundingBox around(const BoundingBox& a, const BoundingBox& b) {
+  const bool is_cut = a.west_deg > a.east_deg || b.west_deg > b.east_deg;
+  const bool is_alike = a.west_deg == b.west_deg && a.east_deg == b.east_deg;
+  BoundingBox box{std::min(a.west_deg, b.west_deg), std::min(a.south_deg, b.south_deg),
+                  std::max(a.east_deg, b.east_deg), std::max(a.north_deg, b.north_deg)};
+  if (is_cut) {
+    box.west_deg = is_alike ? a.west_deg : -180;
+    box.east_deg = is_alike ? a.east_deg : 180;
+  }
+  return box;
+}
+
+template <typename Value>
+void add_once(std::vector<Value>& list, const Value& value) {
+  if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
+}
+
+void add(StoredProduct& product, const store::GranuleRow& row) {
+  if (product.granules.empty()) {
+    product.product_id = row.product_id;
+    product.dataset_id = row.dataset_id;
+    product.from = *row.first_time;
+    product.to = *row.last_time;
+    product.bounds = row.bounds;
+    product.vertical = row.vertical;
+    product.lowest_level_m = row.lowest_level_m;
+    product.highest_level_m = row.highest_level_m;
+  }
+  product.from = std::min(product.from, *row.first_time);
+  product.to = std::max(product.to, *row.last_time);
+  product.bounds = around(product.bounds, row.bounds);
+  if (row.lowest_level_m)
+    product.lowest_level_m = std::min(*row.lowest_level_m, *product.lowest_level_m);
+  if (row.highest_level_m)
+    product.highest_level_m = std::max(*row.highest_level_m, *product.highest_level_m);
+  if (!row.attribution.empty()) add_once(product.attributions, row.attribution);
+  const bool is_forecast = row.status == DataStatus::forecast;
+  if (!is_forecast) product.has_analysis = true;
+  if (is_forecast && row.reference_time) add_once(product.runs, *row.reference_time);
+  product.granules.push_back(row);
+}
+
+/// Its names in the order of the kind; of a vector both, or it is none.
+bool settle_names(StoredProduct& product) {
+  for (const std::string& name : quantities_of(product.kind)) {
+    const bool is_held =
+        std::any_of(product.granules.begin(), product.granules.end(),
+                    [&](const store::GranuleRow& row) { return holds(row, name); });
+    if (is_held) product.standard_names.push_back(name);
+  }
+  const bool is_vector = product.kind != ProductKind::waves;
+  return !is_vector || product.standard_names.size() == quantities_of(product.kind).size();
+}
+
+std::int64_t first_ingested(const StoredProduct& product) {
+  std::int64_t first = product.granules.front().id;
+  for (const store::GranuleRow& row : product.granules) first = std::min(first, row.id);
+  return first;
+}
+
+}  // namespace
+
+std::string_view name_of(ProductKind kind) noexcept {
+  constexpr std::array<std::string_view, 3> names{"currents", "wind", "waves"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+const std::vector<std::string>& quantities_of(ProductKind kind) {
+  static const std::array<std::vector<std::string>, 3> names{
+      {{"eastward_sea_water_velocity", "northward_sea_water_velocity"},
+       {"eastward_wind", "northward_wind"},
+       {"sea_surface_wave_significant_height",
+        "sea_surface_wave_period_at_variance_spectral_density_maximum",
+        "sea_surface_wave_from_direction"}}};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::vector<StoredProduct> stored_products(std::vector<store::GranuleRow> granules) {
+  std::map<decltype(dataset_of({}, {})), StoredProduct> by_dataset;
+  for (const store::GranuleRow& row : granules) {
+    if (row.is_point_series || !row.first_time || row.status == DataStatus::observation) continue;
+    for (const ProductKind kind : kinds) {
+      if (!holds_any(row, kind)) continue;
+      StoredProduct& product = by_dataset[dataset_of(row, kind)];
+      product.kind = kind;
+      add(product, row);
+    }
+  }
+  std::vector<StoredProduct> products;
+  for (auto& [key, product] : by_dataset)
+    if (settle_names(product)) products.push_back(std::move(product));
+  std::sort(products.begin(), products.end(), [](const StoredProduct& a, const StoredProduct& b) {
+    return first_ingested(a) < first_ingested(b);
+  });
+  std::set<std::string> taken;
+  for (StoredProduct& product : products) {
+    std::sort(product.runs.begin(), product.runs.end());
+    const std::string name =
+        "product-" + std::string(name_of(product.kind)) + "-" +
+        fit_for_a_path(product.dataset_id.empty() ? product.product_id : product.dataset_id);
+    product.id = name;
+    for (int n = 2; !taken.insert(product.id).second; ++n)
+      product.id = name + "-" + std::to_string(n);
+  }
+  std::sort(products.begin(), products.end(),
+            [](const StoredProduct& a, const StoredProduct& b) { return a.id < b.id; });
+  return products;
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "data/store/rows.h"
+
+namespace slackwater::api {
+
+/// What of a product is served by itself.
+enum class ProductKind { currents, wind, waves };
+/// "currents", "wind", "waves".
+[[nodiscard]] std::string_view name_of(ProductKind kind) noexcept;
+/// CF standard names: of a vector its two components, east first; of waves height, period,
+/// direction.
+[[nodiscard]] const std::vector<std::string>& quantities_of(ProductKind kind);
+
+/// One dataset that product files were ingested of, as far as it is about one kind. Gridded
+/// products alone: what instruments measured at a place is no product.
+struct StoredProduct {
+  /// "product-currents-cmems_mod_glo_phy-cur_anfc_0.083deg_PT6H-i": by its dataset, else its
+  /// product; fit for a path. Where that names two, later ones have "-2", "-3", …
+  std::string id;
+  ProductKind kind = ProductKind::currents;
+  std::string product_id;
+  std::string dataset_id;  ///< empty: its files do not say
+  std::vector<std::string> attributions;
+  std::vector<std::string>
+      standard_names;  ///< those of `quantities_of` that it holds, in their order
+  UtcTime from{};      ///< start of the first cell
+  UtcTime to{};        ///< end of the last
+  BoundingBox bounds;  ///< of all its files; west > east across the antimeridian
+  VerticalKind vertical = VerticalKind::none;
+  std::optional<double> lowest_level_m;
+  std::optional<double> highest_level_m;
+  bool has_analysis = false;
+  std::vector<UtcTime> runs;  ///< reference times of the provider's forecasts, ascending
+  std::vector<store::GranuleRow> granules;  ///< in catalogue order
+  bool operator==(const StoredProduct&) const = default;
+};
+
+/// The products among a store's granules, by id.
+[[nodiscard]] std::vector<StoredProduct> stored_products(std::vector<store::GranuleRow> granules);
+
+}  // namespace slackwater::api

@@ -1,0 +1,150 @@
+// What `serve` answers about a site is what the commands answer, to the last number.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "tests/api/door/desk/desk_served.h"
+#include "tests/support/contains.h"
+
+namespace slackwater::tests::desk_answers_test {
+namespace {
+
+using nlohmann::json;
+
+class DeskAnswers : public DeskServed {};
+
+/// What tells when it was asked, to the millisecond, or where a page of its own lies.
+json without(json answer, std::initializer_list<const char*> keys) {
+  for (const char* key : keys) answer.erase(key);
+  return answer;
+}
+
+TEST_F(DeskAnswers, WindowsAreThoseOfTheCommand) {
+  EXPECT_EQ(got("/sites/farm/windows"), told({"windows", "--site", "farm"}));
+  EXPECT_EQ(
+      got("/sites/farm/windows?task=cp_anode&turbine=T1&every=1h&contingency=15min&shift="
+          "06:00-18:00&timezone=Europe/Paris&members=3&waves=forecast&go=0.8&marginal=0.4"),
+      told({"windows",     "--site",     "farm",         "--task",        "cp_anode", "--turbine",
+            "T1",          "--every",    "1h",           "--contingency", "15min",    "--shift",
+            "06:00-18:00", "--timezone", "Europe/Paris", "--members",     "3",        "--waves",
+            "forecast",    "--go",       "0.8",          "--marginal",    "0.4"}));
+  const json two = got("/sites/farm/windows?task=cp_anode,scour_survey");
+  EXPECT_EQ(two.at("tasks").size(), 2U);
+  EXPECT_EQ(two, got("/sites/farm/windows?task=cp_anode&task=scour_survey"));
+}
+
+TEST_F(DeskAnswers, TheReportIsThatOfTheCommand) {
+  const json report = got("/sites/farm/report?day=2025-03-03");
+  EXPECT_EQ(report, without(told({"report", "--site", "farm", "--day", "2025-03-03", "--html",
+                                  path("report.html")}),
+                            {"page"}));
+  EXPECT_EQ(report.at("schema"), "morning/1");
+  EXPECT_FALSE(report.at("plan").is_null());
+  const json now = got("/sites/farm/report");
+  ASSERT_FALSE(now.at("today").is_null()) << "the hours that are left of the day of the issue";
+  EXPECT_EQ(now.at("today").at("from"), "2025-03-04T06:30:00Z") << "the server's clock shows 06:10";
+}
+
+TEST_F(DeskAnswers, PlanSkillSourcesAndDecisionsAreThoseOfTheCommands) {
+  EXPECT_EQ(
+      got("/sites/farm/plan?time-limit=20"),
+      told({"plan", (made_->store() / "plans" / "farm.yaml").string(), "--time-limit", "20"}));
+  EXPECT_EQ(got("/sites/farm/verification"), told({"verify", "--site", "farm"}));
+  EXPECT_GT(got("/sites/farm/verification").size(), 10U);
+  EXPECT_EQ(without(got("/sites/farm/sources?day=2025-03-03"), {"issued"}),
+            without(told({"site", "sources", "farm", "--day", "2025-03-03", "--at",
+                          "2025-03-04T06:10:00Z"}),
+                    {"issued"}));
+  EXPECT_EQ(
+      without(got("/sites/farm/decisions"), {"known_by"}),
+      without(told({"decisions", "--site", "farm", "--at", "2025-03-04T06:10:00Z"}), {"known_by"}));
+}
+
+TEST_F(DeskAnswers, SitesSayHowTheirForecastsAre) {
+  const json all = got("/sites");
+  EXPECT_EQ(all.at("now").get<std::string>().substr(0, 14), "2025-03-04T06:") << "as --at said";
+  ASSERT_EQ(all.at("sites").size(), 2U) << all;
+  const json& farm = all.at("sites")[0];
+  EXPECT_EQ(farm.at("id"), "farm");
+  EXPECT_EQ(farm.at("status"), "degraded") << "nobody forecast its wind: " << farm;
+  EXPECT_EQ(farm.at("forecast").at("issued"), "2025-03-04T05:00:00Z");
+  const json& bare = all.at("sites")[1];
+  EXPECT_EQ(bare.at("status"), "no_forecast");
+  EXPECT_TRUE(contains(bare.at("in_words").get<std::string>(), "slackwater forecast --site"));
+}
+
+TEST_F(DeskAnswers, ASiteSaysWhatLiesThere) {
+  const json farm = got("/sites/farm");
+  EXPECT_EQ(farm.at("turbines").at(0).at("id"), "T1");
+  EXPECT_EQ(farm.at("turbines").at(0).at("foundation"), "monopile");
+  EXPECT_EQ(farm.at("tasks").at(0).at("id"), "scour_survey");
+  EXPECT_NE(farm.at("tasks").at(0).at("name"), "scour_survey") << "the sheet has a name for people";
+  ASSERT_FALSE(farm.at("columns").empty());
+  const std::string location = farm.at("columns").at(0).at("location");
+  EXPECT_EQ(reply("/collections/currents/locations/" + location).status, 200);
+  EXPECT_EQ(got("/sites/bare").at("forecast"), nullptr);
+}
+
+TEST_F(DeskAnswers, AnAnswerIsKeptUntilTheStoreChanges) {
+  const HttpReply first = reply("/sites/farm/windows");
+  const std::string tag = first.field("etag");
+  ASSERT_FALSE(tag.empty());
+  EXPECT_EQ(reply("/sites/farm/windows", "If-None-Match: " + tag + "\r\n").status, 304);
+  const std::string plan = read_bytes(made_->store() / "plans" / "farm.yaml");
+  const json before = got("/sites/farm/plan");
+  std::ofstream(made_->store() / "plans" / "farm.yaml") << plan << "# another line\n";
+  EXPECT_EQ(got("/sites/farm/plan"), before);
+  std::ofstream(made_->store() / "plans" / "farm.yaml") << "name: Renamed\n"
+                                                        << plan.substr(plan.find('\n') + 1);
+  EXPECT_TRUE(contains(got("/sites/farm/plan").dump(), "Renamed"));
+  std::ofstream(made_->store() / "plans" / "farm.yaml") << plan;
+}
+
+struct Refusal {
+  const char* target;
+  int status;
+  const char* words;
+};
+
+TEST_F(DeskAnswers, WhatCannotBeAnsweredIsRefusedInOneSentence) {
+  for (const Refusal& wrong : {
+           Refusal{"/sites/nowhere", 404, "nowhere"},
+           Refusal{"/sites/nowhere/windows", 404, "nowhere"},
+           Refusal{"/sites/bare/windows", 400, "site bare lists none"},
+           Refusal{"/sites/bare/windows?task=cp_anode", 404, "bare"},
+           Refusal{"/sites/bare/plan", 404, "expected one in the store's plans/bare.yaml"},
+           Refusal{"/sites/farm%2Eyaml/windows", 404, "farm.yaml"},
+           Refusal{"/sites/farm/windows?task=/etc/passwd", 400, "expected an id"},
+           Refusal{"/sites/farm/windows?task=..", 400, "expected an id"},
+           Refusal{"/sites/farm/windows?task=no_such_task", 404, "no_such_task"},
+           Refusal{"/sites/farm/windows?forecast=/tmp/x.nc", 400, "found 'forecast'"},
+           Refusal{"/sites/farm/windows?alpha=/tmp/x.yaml", 400, "found 'alpha'"},
+           Refusal{"/sites/farm/windows?every=0min", 400, "every: found 0min"},
+           Refusal{"/sites/farm/windows?every=1h&every=2h", 400, "expected it once"},
+           Refusal{"/sites/farm/windows?from=tomorrow", 400, "from: "},
+           Refusal{"/sites/farm/windows?members=many", 400, "members: found 'many'"},
+           Refusal{"/sites/farm/windows?members=1e9", 400, "from 1 to 1000"},
+           Refusal{"/sites/farm/windows?waves=high", 400, "error or forecast"},
+           Refusal{"/sites/farm/windows?go=0.3&marginal=0.6", 400, "found marginal above go"},
+           Refusal{"/sites/farm/windows?shift=", 400, "shift"},
+           Refusal{"/sites/farm/windows?task=a,,b", 400, "commas"},
+           Refusal{"/sites/farm/report?day=2031-01-01", 404, "2031-01-01"},
+           Refusal{"/sites/farm/plan?chance=2", 400, "from 0 to 1"},
+           Refusal{"/sites/farm/verification?from=then", 400, "from: "},
+           Refusal{"/sites/farm/sources?horizon=1min", 400, "expected 1h to 15d"},
+           Refusal{"/sites/farm/sources?wind=strong", 400, "wind: "},
+           Refusal{"/missions/0123456789abcdef", 404, "GET /missions"},
+       }) {
+    const HttpReply no = reply(wrong.target);
+    EXPECT_EQ(no.status, wrong.status) << wrong.target << "\n" << no.body;
+    EXPECT_EQ(no.field("content-type"), "application/problem+json") << wrong.target;
+    EXPECT_TRUE(contains(no.body, wrong.words)) << wrong.target << "\n" << no.body;
+    EXPECT_FALSE(contains(no.body, made_->store().string())) << wrong.target << "\n" << no.body;
+  }
+}
+
+}  // namespace
+}  // namespace slackwater::tests::desk_answers_test
