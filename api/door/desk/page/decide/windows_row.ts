@@ -137,8 +137,8 @@ function bars(
   every_ms: number,
 ): SVGElement[] {
   return windows.map(({ from, to }) => {
-    const begin = Date.parse(from);
-    const width = axis.width(Date.parse(to) - begin + every_ms);
-    return drawn('rect', { class: `bar ${kind}`, x: axis.x(begin), y, width, height: 4 });
+    const x1 = axis.x(Date.parse(from));
+    const x2 = axis.x(Date.parse(to) + every_ms);
+    return drawn('line', { class: `bar ${kind}`, x1, x2, y1: y + 2, y2: y + 2 });
   });
 }
