@@ -17,6 +17,7 @@ import { yesterday } from './yesterday';
 
 const DAY_MS = 86_400_000;
 const LEAST_WAIT_MS = 600_000;
+const RETRY_MS = 60_000;
 const SCORED_DAYS = 7; // the newest forecasts with truth lie among these
 
 type Shown = 'today' | 'next';
@@ -77,7 +78,8 @@ class Decide {
       this.again_ms = Math.max(begin, server.now_ms() + LEAST_WAIT_MS);
       return { from, body };
     });
-    asked.catch(() => undefined); // each section tells it
+    // The first section tells it.
+    asked.catch(() => (this.again_ms = server.now_ms() + RETRY_MS));
     return asked;
   }
 
@@ -106,9 +108,18 @@ class Decide {
     const { report } = this;
     const zone = look.zone;
     void this.now.show(report.then((it) => days(it, zone, this.why_no_today())));
-    void this.trust.show(report.then((it) => trust_line(it, look)));
-    void this.starts.show(report.then((it) => this.windows(it)));
-    void this.plan.show(report.then((it) => this.planned(it)));
+    // Why there is none is said once, above.
+    const without = (): HTMLElement =>
+      element('p', { class: 'note' }, 'Not known without the report.');
+    const of_report = async (
+      make: (it: Answer<Report>) => HTMLElement | Promise<HTMLElement>,
+    ): Promise<HTMLElement> => {
+      const it = await report.catch(() => null);
+      return it === null ? without() : make(it);
+    };
+    void this.trust.show(of_report((it) => trust_line(it, look)));
+    void this.starts.show(of_report((it) => this.windows(it)));
+    void this.plan.show(of_report((it) => this.planned(it)));
     void this.decided.show(
       this.get<Decisions>('/decisions').then((it) => decisions_list(it, site, look)),
     );
@@ -119,9 +130,7 @@ class Decide {
     const sources = this.get<Sources>('/sources').catch((problem: unknown) =>
       problem instanceof Refused ? problem.detail : String(problem),
     );
-    void this.source.show(
-      Promise.all([report, sources]).then(([it, from]) => provenance(it, in_force, from, look)),
-    );
+    void this.source.show(of_report(async (it) => provenance(it, in_force, await sources, look)));
   }
 
   private why_no_today(): string {
@@ -139,6 +148,7 @@ class Decide {
   /** The Gantt of one day, with the choice of the other. */
   private async windows(report: Answer<Report>): Promise<HTMLElement> {
     const { today } = report.body;
+    const { site } = this.desk.view.values;
     const frame = element('div');
     const at = element('div');
     const show = async (which: Shown): Promise<void> => {
@@ -148,7 +158,7 @@ class Decide {
       const hours = which === 'today' && today !== null ? `?from=${today.from}&to=${today.to}` : '';
       try {
         const answer = await this.get<Windows>(`/windows${hours}`);
-        if (this.shown !== which) return;
+        if (this.shown !== which || this.desk.view.values.site !== site) return;
         const gantt = windows_gantt(answer, this.desk.look.zone, (at_ms) =>
           this.desk.view.set({ at_ms }),
         );
