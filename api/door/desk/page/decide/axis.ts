@@ -29,7 +29,8 @@ export class Axis {
     const ticks: { at_ms: number; text: string }[] = [];
     for (let at = Math.ceil(this.from_ms / HOUR_MS) * HOUR_MS; at <= this.to_ms; at += HOUR_MS) {
       const text = hour_text(at, zone);
-      if (Number(text.slice(0, 2)) % every === 0) ticks.push({ at_ms: at, text });
+      if (Number(text.slice(0, 2)) % every !== 0) continue;
+      ticks.push({ at_ms: at, text: text.replace(/:00$/, '') });
     }
     return ticks;
   }

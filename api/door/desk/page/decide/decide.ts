@@ -17,6 +17,7 @@ import { yesterday } from './yesterday';
 
 const DAY_MS = 86_400_000;
 const LEAST_WAIT_MS = 600_000;
+const RETRY_MS = 60_000;
 const SCORED_DAYS = 7; // the newest forecasts with truth lie among these
 
 type Shown = 'today' | 'next';
@@ -58,6 +59,11 @@ class Decide {
       if (is_first || anew || keys.some((key) => changed.has(key))) this.redraw(anew);
       if (changed.has('at_ms') || changed.has('sites')) this.mark_hour();
     });
+    window.addEventListener('beforeprint', () => {
+      for (const details of this.node.querySelectorAll<HTMLDetailsElement>('.task-cell details')) {
+        details.open = true;
+      }
+    });
     if (desk.server.sites !== null) this.board.show(false);
     this.redraw(true);
   }
@@ -72,7 +78,8 @@ class Decide {
       this.again_ms = Math.max(begin, server.now_ms() + LEAST_WAIT_MS);
       return { from, body };
     });
-    asked.catch(() => undefined); // each section tells it
+    // The first section tells it.
+    asked.catch(() => (this.again_ms = server.now_ms() + RETRY_MS));
     return asked;
   }
 
@@ -101,9 +108,18 @@ class Decide {
     const { report } = this;
     const zone = look.zone;
     void this.now.show(report.then((it) => days(it, zone, this.why_no_today())));
-    void this.trust.show(report.then((it) => trust_line(it, look)));
-    void this.starts.show(report.then((it) => this.windows(it)));
-    void this.plan.show(report.then((it) => this.planned(it)));
+    // Why there is none is said once, above.
+    const without = (): HTMLElement =>
+      element('p', { class: 'note' }, 'Not known without the report.');
+    const of_report = async (
+      make: (it: Answer<Report>) => HTMLElement | Promise<HTMLElement>,
+    ): Promise<HTMLElement> => {
+      const it = await report.catch(() => null);
+      return it === null ? without() : make(it);
+    };
+    void this.trust.show(of_report((it) => trust_line(it, look)));
+    void this.starts.show(of_report((it) => this.windows(it)));
+    void this.plan.show(of_report((it) => this.planned(it)));
     void this.decided.show(
       this.get<Decisions>('/decisions').then((it) => decisions_list(it, site, look)),
     );
@@ -114,9 +130,7 @@ class Decide {
     const sources = this.get<Sources>('/sources').catch((problem: unknown) =>
       problem instanceof Refused ? problem.detail : String(problem),
     );
-    void this.source.show(
-      Promise.all([report, sources]).then(([it, from]) => provenance(it, in_force, from, look)),
-    );
+    void this.source.show(of_report(async (it) => provenance(it, in_force, await sources, look)));
   }
 
   private why_no_today(): string {
@@ -125,7 +139,8 @@ class Decide {
     const issued = in_force === null ? null : Date.parse(in_force.issued);
     const now_ms = server.now_ms();
     if (issued !== null && Math.floor(issued / DAY_MS) < Math.floor(now_ms / DAY_MS)) {
-      return `The forecast was issued on ${look.day(issued)}: it says nothing of the hours left today.`;
+      const day = look.day(issued);
+      return `The forecast was issued on ${day}: it says nothing of the hours left today.`;
     }
     return 'No hours of today are left, or they could not be worked out.';
   }
@@ -133,6 +148,7 @@ class Decide {
   /** The Gantt of one day, with the choice of the other. */
   private async windows(report: Answer<Report>): Promise<HTMLElement> {
     const { today } = report.body;
+    const { site } = this.desk.view.values;
     const frame = element('div');
     const at = element('div');
     const show = async (which: Shown): Promise<void> => {
@@ -142,7 +158,7 @@ class Decide {
       const hours = which === 'today' && today !== null ? `?from=${today.from}&to=${today.to}` : '';
       try {
         const answer = await this.get<Windows>(`/windows${hours}`);
-        if (this.shown !== which) return;
+        if (this.shown !== which || this.desk.view.values.site !== site) return;
         const gantt = windows_gantt(answer, this.desk.look.zone, (at_ms) =>
           this.desk.view.set({ at_ms }),
         );

@@ -21,7 +21,7 @@ export class Section {
     this.asked += 1;
     const mine = this.asked;
     this.body.setAttribute('aria-busy', 'true');
-    if (this.body.childElementCount === 0) this.say('Asking the server …', 'waiting');
+    this.wait();
     let made: HTMLElement;
     try {
       made = await coming;
@@ -31,6 +31,14 @@ export class Section {
     if (mine !== this.asked) return;
     this.body.replaceChildren(made);
     this.body.removeAttribute('aria-busy');
+  }
+
+  /** What was there stays to be read; a mere note gives way. */
+  private wait(): void {
+    const waiting = element('p', { class: 'waiting' }, 'Asking the server …');
+    const first = this.body.firstElementChild;
+    if (first === null || first.matches('.note, .waiting')) this.body.replaceChildren(waiting);
+    else this.body.prepend(waiting);
   }
 
   say(text: string, kind = 'note'): void {

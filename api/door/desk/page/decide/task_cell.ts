@@ -3,7 +3,6 @@ import { element } from '../look/element';
 import { hour_text } from '../look/units';
 import { told, told_by, type Answer } from './answer';
 import type { Range, Report, ReportTask } from './answers';
-import { opened } from './table';
 import { verdict_badge } from './verdict_badge';
 import { chance_text, counted, interval_text, with_hours } from './words';
 
@@ -76,15 +75,15 @@ export function task_cell(
     ...(help.length > 0 ? ['what would help'] : []),
   ];
   if (parts.length > 0) {
+    // Made at once: paper shows it open.
     cell.append(
-      opened(parts.join('; '), () =>
-        element(
-          'div',
-          {},
-          ...help,
-          ...(count > 0 ? [element('p', {}, 'Not checked:')] : []),
-          element('ul', {}, ...task.not_checked.map((limit) => element('li', {}, limit))),
-        ),
+      element(
+        'details',
+        {},
+        element('summary', {}, parts.join('; ')),
+        ...help,
+        ...(count > 0 ? [element('p', {}, 'Not checked:')] : []),
+        element('ul', {}, ...task.not_checked.map((limit) => element('li', {}, limit))),
       ),
     );
   }

@@ -64,7 +64,8 @@ export function windows_row(
     ...tick_lines(axis, zone, row_height),
     drawn('line', { class: 'base', x1: 0, x2: '100%', y1: TOP + column, y2: TOP + column }),
   );
-  const always = new Set(task.windows.map(({ best }) => best));
+  const best = task.starts[first_named(task)]?.start ?? '';
+  const always = new Set([best, ...task.windows.map((window) => window.best)]);
   task.starts.forEach((start, s) => {
     const at_ms = Date.parse(start.start);
     const x = axis.x(at_ms);
@@ -79,7 +80,7 @@ export function windows_row(
     const hatched: Record<string, string> = fill === 'marginal' ? { fill: 'url(#desk-hatch)' } : {};
     const told = told_by(answer, `tasks.${t}.starts.${s}.worth`);
     svg.append(drawn('rect', { class: `start ${fill}`, x, y, width, height, ...hatched, ...told }));
-    if (start.worth < LEAST_TOLD && !always.has(start.start)) return;
+    if (start.worth < LEAST_TOLD) return;
     const number = String(Math.min(99, Math.round(100 * start.worth)));
     const at = { x: axis.x(at_ms + every_ms / 2), y: y - 3, 'text-anchor': 'middle' };
     const when = always.has(start.start) ? 'number always' : 'number';
@@ -136,8 +137,8 @@ function bars(
   every_ms: number,
 ): SVGElement[] {
   return windows.map(({ from, to }) => {
-    const begin = Date.parse(from);
-    const width = axis.width(Date.parse(to) - begin + every_ms);
-    return drawn('rect', { class: `bar ${kind}`, x: axis.x(begin), y, width, height: 4 });
+    const x1 = axis.x(Date.parse(from));
+    const x2 = axis.x(Date.parse(to) + every_ms);
+    return drawn('line', { class: `bar ${kind}`, x1, x2, y1: y + 2, y2: y + 2 });
   });
 }

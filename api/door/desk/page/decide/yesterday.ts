@@ -103,7 +103,8 @@ function hourly_chart(
     class: 'hourly',
     viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
     role: 'img',
-    'aria-label': `${name}: error by hour of lead, forecast issued ${issued}. The table above sums it up.`,
+    'aria-label':
+      `${name}: error by hour of lead, forecast issued ${issued}. ` + 'The table above sums it up.',
   });
   svg.append(
     drawn('line', { class: 'base', x1: LEFT, x2: WIDTH, y1: y(0), y2: y(0) }),

@@ -112,12 +112,22 @@ export class Draft {
   get is_changed(): boolean {
     return Object.keys(this.changed).length > 0 || this.asked.turbine !== '';
   }
+  /** The only tasks whose answer can differ; null: any. Fewer tasks are answered sooner. */
+  get touched(): string[] | null {
+    const { site, tasks } = this.changed;
+    const is_alone = site === undefined && this.asked.turbine === '';
+    return is_alone && tasks !== undefined ? Object.keys(tasks) : null;
+  }
   /** What is asked of the server beside the texts. */
-  query(with_turbine: boolean): string {
-    const query = new URLSearchParams();
-    for (const [key, value] of Object.entries(this.asked)) {
-      if (value !== '' && (with_turbine || key !== 'turbine')) query.set(key, value);
-    }
+  query(): string {
+    const query = new URLSearchParams(this.hours);
+    if (this.asked.turbine !== '') query.set('turbine', this.asked.turbine);
+    for (const id of this.touched ?? []) query.append('task', id);
     return query.toString();
+  }
+  /** The hours alone: what the true answer is asked for too. */
+  get hours(): string {
+    const { from, to } = this.asked;
+    return new URLSearchParams({ ...(from && { from }), ...(to && { to }) }).toString();
   }
 }

@@ -17,10 +17,12 @@ export interface WhatIf {
   no_plan: string | null;
 }
 
+/** @param touched  the only tasks that were asked about; null: all */
 export function result(
   truth: Answer<Windows>,
   true_plan: Answer<Plan> | null,
   answer: Answer<WhatIf>,
+  touched: string[] | null,
   look: Look,
   show_hour: (at_ms: number) => void,
 ): HTMLElement {
@@ -28,19 +30,22 @@ export function result(
   const hour = (time: string): string => look.hour(Date.parse(time));
   const from = look.time(Date.parse(windows.from));
   const to = look.time(Date.parse(windows.to));
+  const hours = `Starts from ${from} to ${to} ${look.zone_name}.`;
   return element(
     'div',
     { class: 'what-if-result' },
-    element(
-      'p',
-      { class: 'verdicts' },
-      'All tasks: now ',
-      verdict_badge(truth, 'verdict', truth.body.verdict),
-      ', in the what-if ',
-      verdict_badge(answer, 'windows.verdict', windows.verdict),
-      `. Starts from ${from} to ${to} ${look.zone_name}.`,
-    ),
-    scroll_region('What changes, by task', tasks_table(truth, answer, hour)),
+    touched === null
+      ? element(
+          'p',
+          {},
+          'All tasks: now ',
+          verdict_badge(truth, 'verdict', truth.body.verdict),
+          ', in the what-if ',
+          verdict_badge(answer, 'windows.verdict', windows.verdict),
+          `. ${hours}`,
+        )
+      : element('p', {}, `The other tasks are not touched by this. ${hours}`),
+    scroll_region('What changes, by task', tasks_table(truth, answer, touched, hour)),
     ...windows.left_out.map(({ task, why }) =>
       element('p', { class: 'refused' }, `${task} could not be worked out: ${why}`),
     ),
@@ -59,6 +64,7 @@ export function result(
 function tasks_table(
   truth: Answer<Windows>,
   answer: Answer<WhatIf>,
+  touched: string[] | null,
   hour: (time: string) => string,
 ): HTMLElement {
   const cell = (of: Answer<unknown>, key: string, said: TaskAnswer | null): Node | string => {
@@ -70,12 +76,14 @@ function tasks_table(
     const chance = told(of, `${start}.worth`, chance_text);
     return element('span', {}, badge, ' ', chance, ' at ', told(of, `${start}.start`, hour));
   };
-  const rows = task_changes(truth.body, answer.body.windows).map((change) => [
-    change.name,
-    cell(truth, '', change.before),
-    cell(answer, 'windows.', change.after),
-    change_text(change, hour),
-  ]);
+  const rows = task_changes(truth.body, answer.body.windows)
+    .filter(({ task }) => touched === null || touched.includes(task))
+    .map((change) => [
+      change.name,
+      cell(truth, '', change.before),
+      cell(answer, 'windows.', change.after),
+      change_text(change, hour),
+    ]);
   const table = table_of(['Task', 'Now', 'What if', 'Change'], rows);
   for (const row of table.querySelectorAll('tbody tr')) {
     row.classList.toggle('changed', row.lastElementChild?.textContent !== 'the same');

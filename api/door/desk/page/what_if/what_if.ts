@@ -26,13 +26,16 @@ class WhatIfPanel {
   private original: Draft | null = null;
   private task = '';
   private priced: Limit | null = null;
+  private is_asking = false;
+  private is_outdated = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly desk: Desk) {
     const nothing = element(
       'p',
       { class: 'unsaved' },
-      'Nothing is saved: the server works this out and forgets it. The forecast, the site and the plan stay as they are.',
+      'Nothing is saved: the server works this out and forgets it. ' +
+        'The forecast, the site and the plan stay as they are.',
     );
     this.node.append(
       nothing,
@@ -121,23 +124,33 @@ class WhatIfPanel {
       for (const it of [this.outcome, this.price, this.files]) it.say('Nothing is changed.');
       return;
     }
-    void this.outcome.show(this.ask(draft));
+    void this.ask_latest(draft);
     if (this.priced !== null) void this.price.show(this.priced_at(this.task, this.priced));
     void this.files.show(Promise.resolve(this.saved(draft)));
   }
 
+  /** One question at a time; of what is changed meanwhile the last is asked next. */
+  private async ask_latest(draft: Draft): Promise<void> {
+    this.is_outdated = this.is_asking;
+    if (this.is_asking) return;
+    this.is_asking = true;
+    await this.outcome.show(this.ask(draft));
+    this.is_asking = false;
+    if (this.is_outdated) this.work_out();
+  }
+
   private async ask(draft: Draft): Promise<HTMLElement> {
     const { desk } = this;
-    const hours = draft.query(false);
+    const { hours, touched } = draft;
     const from = this.path('/what-if');
-    const asked = { texts: draft.changed, query: draft.query(true) };
+    const asked = { texts: draft.changed, query: draft.query() };
     const [truth, plan, body] = await Promise.all([
       this.get<Windows>(`/windows${hours === '' ? '' : `?${hours}`}`),
       this.get<Plan>('/plan').catch(() => null),
       desk.server.post<WhatIf>(from, asked),
     ]);
     const show_hour = (at_ms: number): void => desk.view.set({ at_ms });
-    return result(truth, plan, { from, body }, desk.look, show_hour);
+    return result(truth, plan, { from, body }, touched, desk.look, show_hour);
   }
 
   private async priced_at(task: string, limit: Limit): Promise<HTMLElement> {

@@ -13,8 +13,8 @@ const press = (row: SVGElement | undefined, key: string): unknown =>
 
 test('TheClockIsTheZones', () => {
   const axis = new Axis(T0, T0 + 24 * HOUR);
-  expect(axis.ticks('UTC').map(({ text }) => text)).toContain('09:00');
-  expect(axis.ticks('Europe/Paris').map(({ text }) => text)[0]).toBe('09:00');
+  expect(axis.ticks('UTC').map(({ text }) => text)).toContain('09');
+  expect(axis.ticks('Europe/Paris').map(({ text }) => text)[0]).toBe('09');
   expect(axis.x(T0 + 6 * HOUR)).toBe('25.000%');
   expect(axis.width(HOUR)).toBe('4.167%');
   expect(axis.holds(T0 - 1)).toBe(false);

@@ -118,8 +118,17 @@ test('HoursAndTurbineAreAskedAndChangeNoFile', () => {
   const changed = draft();
   changed.asked = { turbine: 'A02', from: '2025-03-14T06:00:00Z', to: '' };
   expect(changed.changed).toEqual({});
-  expect(changed.query(true)).toBe('turbine=A02&from=2025-03-14T06%3A00%3A00Z');
-  expect(changed.query(false)).toBe('from=2025-03-14T06%3A00%3A00Z');
+  expect(changed.query()).toBe('from=2025-03-14T06%3A00%3A00Z&turbine=A02');
+  expect(changed.hours).toBe('from=2025-03-14T06%3A00%3A00Z');
+});
+
+test('OnlyWhatIsTouchedIsAsked', () => {
+  const changed = draft();
+  expect(changed.touched).toBeNull();
+  changed.set_limit('scour', limits_of(SHEET)[0]?.path ?? [], 2);
+  expect([changed.touched, changed.query()]).toEqual([['scour'], 'task=scour']);
+  changed.asked.turbine = 'A02';
+  expect([changed.touched, changed.query()]).toEqual([null, 'turbine=A02']);
 });
 
 test('TheFilesAndTheLinesAreThoseOfTheCommandLine', () => {

@@ -58,6 +58,7 @@ test('BothAreShownSideBySide', () => {
     answer(truth, '/w'),
     answer(plan(), '/p'),
     answer(body, '/x'),
+    null,
     look,
     () => {},
   );
@@ -75,8 +76,14 @@ test('BothAreShownSideBySide', () => {
 
 test('WithoutAPlanTheReasonIsTold', () => {
   const of = (no_plan: string | null): string =>
-    result(answer(truth), null, answer({ windows: other, plan: null, no_plan }), look, () => {})
-      .textContent ?? '';
+    result(
+      answer(truth),
+      null,
+      answer({ windows: other, plan: null, no_plan }),
+      ['a'],
+      look,
+      () => {},
+    ).textContent ?? '';
   expect(of('no crew is left')).toContain('No plan: no crew is left');
   expect(of(null)).toContain('No plan: the site has none.');
 });
