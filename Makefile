@@ -52,6 +52,7 @@ soak: test-packages venv
 	SLACKWATER_LIVE_SECONDS=600 build/release/tests/bench/slackwater_live_bench
 	SLACKWATER_PLANNED_MISSIONS=200 ctest --preset release -V -R 'FixedAndAdapted'
 	SLACKWATER_MUTATIONS=1000000 ctest --preset release -V -R 'MutatedMessages|UnrulyStations'
+	SLACKWATER_HISTORIES=15 ctest --preset release -V -R 'FitTheExtremes'
 	SLACKWATER_LOSSY_LINK=1 ctest --preset release -V -R 'LossyLink|LossySession'
 	SLACKWATER_JOINS=10000 build/release/tests/slackwater_api_dds_tests --gtest_filter='*Joins.*'
 	SLACKWATER_JOINS=10000 build/release/tests/slackwater_api_tests --gtest_filter='Session.Many*'
