@@ -118,6 +118,16 @@ try {
       await shows((said) => document.querySelector(".facts")?.innerText.includes(said), `${speed.toFixed(2)} m/s to ${degrees(to)}`);
       assert.match(await facts(), /Current at 20 m/);
     },
+    "When is slack at 20 m?": async () => {
+      await tab("Water at the place");
+      clicks += 1;
+      await page.select("#map select", "20");
+      const { slack } = await json(`${address}/sites/${id}/slack?depth=20`);
+      const next = slack.find(({ to }) => to >= at);
+      const till = next.ends_after ? "the end" : next.to.slice(11, 16);
+      await shows((said) => document.querySelector(".slack").innerText.includes(said), `to ${till}`);
+      assert.match(await text(".slack"), /^Slack at 20 m: .*below 0.50 m\/s, UTC/);
+    },
     "How high are the waves, and from where?": async () => {
       await tab("Water at the place");
       const { sea_surface_wave_significant_height: height, sea_surface_wave_from_direction: from } = await edr("waves", { datetime: hour });

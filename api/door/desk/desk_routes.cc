@@ -7,6 +7,7 @@
 #include "api/door/desk/mission_jobs.h"
 #include "api/door/desk/site_answers.h"
 #include "api/door/desk/site_list.h"
+#include "api/door/desk/slack_answer.h"
 #include "api/door/desk/texts_of_site.h"
 #include "api/door/desk/what_if.h"
 #include "api/door/http/problem.h"
@@ -134,6 +135,11 @@ void add_routes(http::Router& router, const DeskSettings& settings) {
                return json_response(site_json(path.at("site"), *settings.forecasts,
                                               settings.freshness, settings.store_folder));
              });
+  router.add(
+      "GET", "/sites/{site}/slack",
+      [settings](const Request& request, const PathParameters& path) -> Outcome {
+        return json_response(slack_answer(*settings.forecasts, path.at("site"), request.query));
+      });
   router.add("GET", "/sites/{site}/texts",
              [from](const Request&, const PathParameters& path) -> Outcome {
                return json_response(texts_json(texts_of_site(path.at("site"), from.store_folder)));

@@ -18,7 +18,8 @@ struct DeskSettings {
 /// What people decide from, as the commands answer it:
 ///
 ///     GET /sites, /sites/{site}, /sites/{site}/{windows,report,plan,verification,sources,
-///                                               decisions,workability,climate,texts}
+///                                               decisions,workability,climate,slack,
+///                                               texts}
 ///     POST /sites/{site}/what-if
 ///     GET, POST /missions    GET /missions/{mission}    POST /missions/{mission}/cancel
 ///

@@ -202,6 +202,12 @@ json paths() {
                   {"return-period", "Years", "50", true},
                   {"from", "First day", "2025-01-01"},
                   {"to", "Last day", "2025-03-12"}})},
+      {at + "/slack", answer_of("get_slack", "When the current is slack at a place and a depth",
+                                "the forecast's page has it",
+                                {{"depth", "m; default 5", "20"},
+                                 {"below", "Likely speed, m/s; default 0.5", "0.5"},
+                                 {"longitude", "Degrees; default the first column", "-2.55"},
+                                 {"latitude", "Degrees; default the first column", "48.85"}})},
       {at + "/texts", answer_of("get_texts", "The YAML of site, tasks and plan",
                                 "people wrote them", {}, "Texts")},
       {at + "/what-if", what_if()}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "api/ask/morning/morning.h"
 #include "api/door/desk/asked_words.h"
 #include "api/door/desk/kept_answers.h"
 #include "api/door/desk/own_folder.h"

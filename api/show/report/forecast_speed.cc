@@ -63,17 +63,15 @@ ReportTable slack_table(const ReportSpeed& speed, const ReportSpeedAtDepth& at,
 }
 
 /// The speed in each future, by depth; none where the forecast has no members.
-std::vector<std::vector<std::vector<double>>> futures_of(const Field& field,
+std::vector<std::vector<std::vector<double>>> futures_of(const Field& field, const GeoPoint& place,
                                                          const std::vector<UtcTime>& time,
                                                          const std::vector<double>& depths) {
   const Snapshot& s = field.snapshot();
-  const ForecastColumn& column = s.columns.front();
   std::vector<std::vector<std::vector<double>>> futures(depths.size());
-  if (column.member_m_s.empty()) return futures;
+  if (s.columns.front().member_m_s.empty()) return futures;
   std::vector<CurrentSample> samples(time.size() * depths.size());
   for (std::size_t m = 0; m < s.members; ++m) {
-    field.sample_profiles(column.point.longitude_deg(), column.point.latitude_deg(), time, depths,
-                          samples, m);
+    field.sample_profiles(place.longitude_deg(), place.latitude_deg(), time, depths, samples, m);
     for (std::size_t k = 0; k < depths.size(); ++k) {
       std::vector<double>& speeds = futures[k].emplace_back();
       for (std::size_t t = 0; t < time.size(); ++t) {
@@ -85,7 +83,40 @@ std::vector<std::vector<std::vector<double>>> futures_of(const Field& field,
   return futures;
 }
 
+/// Why a forecast says nothing of slack; empty where it does.
+std::string no_tide_in(const Snapshot& s) {
+  if (!s.averaged) return {};
+  return "not known: the currents are " + averaging_text(s.averaged->averaging) +
+         ", which leave out the tide";
+}
+
+std::vector<UtcTime> every_ten_minutes(const Snapshot& s) {
+  std::vector<UtcTime> times;
+  for (UtcTime time = s.time.front(); time <= s.time.back(); time += minutes(10))
+    times.push_back(time);
+  return times;
+}
+
 }  // namespace
+
+SlackAt slack_at(const Field& field, const GeoPoint& place, double depth_m, double below_m_s) {
+  SlackAt slack;
+  slack.no_tide = no_tide_in(field.snapshot());
+  if (!slack.no_tide.empty()) return slack;
+  const std::vector<UtcTime> time = every_ten_minutes(field.snapshot());
+  const std::vector<double> depths{depth_m};
+  std::vector<CurrentSample> samples(time.size());
+  field.sample_profiles(place.longitude_deg(), place.latitude_deg(), time, depths, samples);
+  std::vector<double> likely_m_s;
+  for (const CurrentSample& sample : samples)
+    likely_m_s.push_back(
+        has_value(sample.status)
+            ? speed_quantiles(std::abs(sample.velocity_m_s), sample.sigma_m_s).p50_m_s
+            : nan);
+  slack.windows =
+      slack_windows(time, likely_m_s, futures_of(field, place, time, depths).front(), below_m_s);
+  return slack;
+}
 
 ReportSpeed speed_of(const Field& field, double depth_m, double slack_below_m_s,
                      const PageClock& clock) {
@@ -94,15 +125,12 @@ ReportSpeed speed_of(const Field& field, double depth_m, double slack_below_m_s,
   const std::vector<double> depths = offered_depths(column.water_depth_m, depth_m);
   ReportSpeed speed;
   speed.slack_below_m_s = slack_below_m_s;
-  if (s.averaged)
-    speed.no_tide = "not known: the currents are " + averaging_text(s.averaged->averaging) +
-                    ", which leave out the tide";
-  for (UtcTime time = s.time.front(); time <= s.time.back(); time += minutes(10))
-    speed.time.push_back(time);
+  speed.no_tide = no_tide_in(s);
+  speed.time = every_ten_minutes(s);
   std::vector<CurrentSample> samples(speed.time.size() * depths.size());
   field.sample_profiles(column.point.longitude_deg(), column.point.latitude_deg(), speed.time,
                         depths, samples);
-  const auto futures = futures_of(field, speed.time, depths);
+  const auto futures = futures_of(field, column.point, speed.time, depths);
   for (std::size_t k = 0; k < depths.size(); ++k) {
     ReportSpeedAtDepth at;
     at.label = depths[k] == 0 ? "the surface" : formatted("{:g} m", depths[k]);

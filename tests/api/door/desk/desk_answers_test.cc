@@ -72,6 +72,20 @@ TEST_F(DeskAnswers, ThePastIsThatOfTheCommands) {
             told({"climate", "--site", "farm", "--roses", "--of", "current", "--sectors", "8"}));
 }
 
+TEST_F(DeskAnswers, SlackIsWhereTheCurrentIsSlow) {
+  const json told = got("/sites/farm/slack?depth=5&below=0.1");
+  ASSERT_FALSE(told.at("slack").empty()) << told;
+  const json& first = told.at("slack").at(0);
+  const std::string from = first.at("from"), to = first.at("to");
+  EXPECT_LT(from, to);
+  const json series =
+      got("/collections/currents/locations/farm?z=5&f=CoverageJSON&datetime=" + from + "/" + to);
+  const json& speeds = series.at("ranges").at("sea_water_speed").at("values");
+  for (const json& speed : speeds) EXPECT_LT(speed.get<double>(), 0.1) << "likely below 0.1 m/s";
+  EXPECT_GE(got("/sites/farm/slack?below=9&depth=5").at("slack").size(), 1U);
+  EXPECT_EQ(got("/sites/farm/slack?below=9&depth=5").at("slack").at(0).at("ends_after"), true);
+}
+
 TEST_F(DeskAnswers, SitesSayHowTheirForecastsAre) {
   const json all = got("/sites");
   EXPECT_EQ(all.at("now").get<std::string>().substr(0, 14), "2025-03-04T06:") << "as --at said";
@@ -151,6 +165,11 @@ TEST_F(DeskAnswers, WhatCannotBeAnsweredIsRefusedInOneSentence) {
            Refusal{"/sites/farm/climate?of=rain", 400, "of: "},
            Refusal{"/sites/farm/climate?what=hopes", 400, "roses, scatter or extremes"},
            Refusal{"/sites/farm/climate?return-period=0", 400, "from 0.01"},
+           Refusal{"/sites/nowhere/slack", 404, "GET /sites"},
+           Refusal{"/sites/farm/slack?depth=5000", 404, "a smaller depth"},
+           Refusal{"/sites/farm/slack?longitude=10&latitude=10", 404, "nearer to a column"},
+           Refusal{"/sites/farm/slack?longitude=10", 400, "latitude"},
+           Refusal{"/sites/farm/slack?below=0", 400, "from 0.01"},
            Refusal{"/missions/0123456789abcdef", 404, "GET /missions"},
        }) {
     const HttpReply no = reply(wrong.target);

@@ -52,13 +52,13 @@ export const STATUS_TEXT: Record<SiteStatus, string> = {
 export function advice_of({ id, status }: SiteInSites): string {
   switch (status) {
     case 'no_forecast':
-      return `Make the first forecast: slackwater morning --site ${id}`;
+      return `Make the first forecast: slackwater forecast --site ${id}`;
     case 'stale':
-      return `Make a new forecast: slackwater morning --site ${id}`;
+      return `Make a new forecast: slackwater forecast --site ${id}`;
     case 'degraded':
-      return `Fetch what is missing and issue again: slackwater morning --site ${id}`;
+      return `Fetch what is missing and issue again: slackwater forecast --site ${id}`;
     case 'hindcast':
-      return `Made afterwards for a past day. For today: slackwater morning --site ${id}`;
+      return `Made afterwards for a past day. For today: slackwater forecast --site ${id}`;
     case 'unreadable':
       return 'See what is broken: slackwater store check';
     default:

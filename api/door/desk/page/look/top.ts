@@ -103,7 +103,7 @@ export function words_of({ server, view }: Desk): string {
   if (server.sites === null) return 'Asking the server …';
   const sites = server.sites.sites;
   if (sites.length === 0) {
-    return 'No site has a forecast yet. Make one: slackwater morning --site SITE';
+    return 'No site has a forecast yet. Make one: slackwater forecast --site SITE';
   }
   const it = sites.find(({ id }) => id === view.values.site);
   if (it === undefined) {

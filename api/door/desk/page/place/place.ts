@@ -15,6 +15,7 @@ import { tide_series, wave_series, wind_series } from './over_time';
 import { largest_m_s, profile_at, type Level } from './profile';
 import { profile_chart, type Shown } from './profile_chart';
 import { series_chart, type Series } from './series_chart';
+import { slackPart } from './slack';
 import { fetch_water, NO_TIDE, said_by_all, type Told, type Water } from './water';
 
 export function placePart(desk: Desk): HTMLElement {
@@ -150,7 +151,7 @@ export function placePart(desk: Desk): HTMLElement {
       if (mine !== asked) return;
       const all_refuse = came === null ? null : said_by_all(came);
       water = all_refuse === null ? came : null;
-      const none = `No forecast is in force here. Make one: slackwater morning --site ${site.id}`;
+      const none = `No forecast is in force here. Make one: slackwater forecast --site ${site.id}`;
       const nearer = 'Choose a place nearer to a column, on the map or in its list.';
       const without = all_refuse === null ? none : `${all_refuse} ${nearer}`;
       set_text(says, water === null ? without : '');
@@ -177,7 +178,16 @@ export function placePart(desk: Desk): HTMLElement {
   });
   void load();
   const nodes = boxes.map(([, box]) => box.parentElement ?? box);
-  return element('div', { class: 'place-part' }, head, when, says, facts, ...nodes);
+  return element(
+    'div',
+    { class: 'place-part' },
+    head,
+    when,
+    says,
+    facts,
+    slackPart(desk),
+    ...nodes,
+  );
 }
 
 function figure(chart: Picture, words: string): HTMLElement {

@@ -88,9 +88,6 @@ export class Server {
       body: JSON.stringify(body),
     });
   }
-  async remove(path: string): Promise<void> {
-    await this.fetch_json(path, { method: 'DELETE' });
-  }
 
   async site(id: string): Promise<SiteMap> {
     return whole_site(await this.get(`/sites/${encodeURIComponent(id)}`));
