@@ -28,6 +28,7 @@ HistorySource source_of(const Answers& from, const std::string& site, const Aske
   HistorySource source;
   source.site = described_site(site, from.store_folder).id;
   source.store_folder = from.store_folder;
+  if (!words.one("depth").empty()) source.options.depth_m = words.number("depth", 0, 12000, 0);
   source.from = words.read_one("from", parse_day);
   source.to = words.read_one("to", parse_day);
   if (source.from && source.to && *source.to < *source.from)
@@ -88,7 +89,7 @@ ClimateQuestion climate_question(const AskedWords& words) {
 
 json workability_answer(const Answers& from, const std::string& site, const std::string& query) {
   const AskedWords words(query, {"limit", "duration", "contingency", "start-hours", "daylight",
-                                 "timezone", "from", "to"});
+                                 "timezone", "depth", "from", "to"});
   const ingest::Vocabulary vocabulary = vocabulary_of(from);
   const HistorySource source = source_of(from, site, words);
   const WorkabilityQuestion question = workability_question(words);
@@ -100,7 +101,7 @@ json workability_answer(const Answers& from, const std::string& site, const std:
 }
 
 json climate_answer(const Answers& from, const std::string& site, const std::string& query) {
-  const AskedWords words(query, {"what", "of", "sectors", "return-period", "from", "to"});
+  const AskedWords words(query, {"what", "of", "sectors", "return-period", "depth", "from", "to"});
   const ingest::Vocabulary vocabulary = vocabulary_of(from);
   const HistorySource source = source_of(from, site, words);
   const ClimateQuestion question = climate_question(words);

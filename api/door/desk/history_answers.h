@@ -9,10 +9,12 @@
 namespace slackwater::api::desk {
 
 /// `slackwater workability --site SITE --json`. Words: limit, duration, contingency, start-hours,
-/// daylight, timezone, from, to. @throws Error(usage) without a limit or a duration
+/// daylight, timezone, depth (m, of
+/// currents), from, to. @throws Error(usage) without a limit or a duration
 [[nodiscard]] nlohmann::json workability_answer(const Answers& from, const std::string& site,
                                                 const std::string& query);
-/// `slackwater climate --site SITE --json`. Words: of, sectors, return-period, from, to; and
+/// `slackwater climate --site SITE --json`. Words: of, sectors, return-period, depth, from,
+/// to; and
 /// `what`: roses, scatter, extremes, all where none is named.
 [[nodiscard]] nlohmann::json climate_answer(const Answers& from, const std::string& site,
                                             const std::string& query);

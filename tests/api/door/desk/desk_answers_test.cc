@@ -64,12 +64,14 @@ TEST_F(DeskAnswers, PlanSkillSourcesAndDecisionsAreThoseOfTheCommands) {
 }
 
 TEST_F(DeskAnswers, ThePastIsThatOfTheCommands) {
-  EXPECT_EQ(got("/sites/farm/workability?limit=sea_water_speed%3C%3D0.3&duration=2h&start-hours="
-                "6-18"),
-            told({"workability", "--site", "farm", "--limit", "sea_water_speed<=0.3", "--duration",
-                  "2h", "--start-hours", "6-18"}));
-  EXPECT_EQ(got("/sites/farm/climate?what=roses&of=current&sectors=8"),
-            told({"climate", "--site", "farm", "--roses", "--of", "current", "--sectors", "8"}));
+  EXPECT_EQ(
+      got("/sites/farm/workability?limit=sea_water_speed%3C%3D0.3&duration=2h&depth=5&start-hours="
+          "6-18"),
+      told({"workability", "--site", "farm", "--limit", "sea_water_speed<=0.3", "--duration", "2h",
+            "--depth", "5", "--start-hours", "6-18"}));
+  EXPECT_EQ(got("/sites/farm/climate?what=roses&of=current&sectors=8&depth=5"),
+            told({"climate", "--site", "farm", "--roses", "--of", "current", "--sectors", "8",
+                  "--depth", "5"}));
 }
 
 TEST_F(DeskAnswers, SlackIsWhereTheCurrentIsSlow) {
