@@ -155,6 +155,7 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   router.add("GET", "/metrics", http::metrics_handler(options.metrics, [forecasts, freshness] {
                return forecast_gauges(*forecasts->catalogue(), freshness);
              }));
+  options.methods_at = [router](const std::string& path) { return router.methods_at(path); };
   const auto dds_service = on_dds(arguments, forecasts, context);
   http::Server server(options, router);
   server.start();

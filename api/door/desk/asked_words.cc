@@ -30,7 +30,7 @@ std::vector<std::string> split(const std::string& text, char at) {
 
 std::string chosen(const AskedWords& words, std::string_view name, std::string_view otherwise,
                    std::initializer_list<std::string_view> possible) {
-  const std::string said = words.one(name);
+  std::string said = words.one(name);
   if (said.empty()) return std::string(otherwise);
   if (std::find(possible.begin(), possible.end(), said) == possible.end()) {
     std::vector<std::string> list(possible.begin(), possible.end());

@@ -110,9 +110,8 @@ void add_routes(http::Router& router, const DeskSettings& settings) {
   const auto add = [&](const std::string& what, auto answer) {
     router.add("GET", "/sites/{site}/" + what,
                [=](const Request& request, const PathParameters& path) -> Outcome {
-                 const std::string site = path.at("site");
                  const std::string question = request.path + '?' + request.query;
-                 return LongWork{[=, query = request.query] {
+                 return LongWork{[=, site = path.at("site"), query = request.query] {
                    return kept->answer(question,
                                        [&] { return json_response(answer(from, site, query)); });
                  }};

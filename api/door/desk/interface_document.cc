@@ -102,24 +102,23 @@ json answer_of(const char* id, const char* summary, const char* like,
   return {{"get", operation(id, "Sites", summary, of_site(words), std::move(responses))}};
 }
 
-json what_if() {
-  json responses = with_refusals({}, {"404", "401"});
-  responses["200"] = answer("The windows and the plan as they would be; nothing is saved",
-                            reference("schemas", "WhatIfAnswer"));
-  json post = operation("ask_what_if", "Sites", "The same questions with other texts", of_site({}),
-                        std::move(responses));
-  post["security"] = json::array({json::object(), {{"operator", json::array()}}});
-  post["requestBody"] = {
-      {"required", true},
-      {"content", {{"application/json", {{"schema", reference("schemas", "WhatIf")}}}}}};
-  return {{"post", std::move(post)}};
-}
-
 json guarded(json operation) {
   operation["responses"]["401"] =
       refused_for("Neither from this machine nor with the token of --token-file");
   operation["security"] = json::array({json::object(), {{"operator", json::array()}}});
   return operation;
+}
+
+json what_if() {
+  json responses = with_refusals({}, {"404"});
+  responses["200"] = answer("The windows and the plan as they would be; nothing is saved",
+                            reference("schemas", "WhatIfAnswer"));
+  json post = guarded(operation("ask_what_if", "Sites", "The same questions with other texts",
+                                of_site({}), std::move(responses)));
+  post["requestBody"] = {
+      {"required", true},
+      {"content", {{"application/json", {{"schema", reference("schemas", "WhatIf")}}}}}};
+  return {{"post", std::move(post)}};
 }
 
 json mission_paths() {

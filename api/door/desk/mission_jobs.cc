@@ -86,7 +86,7 @@ MissionJobs::~MissionJobs() {
 std::string MissionJobs::submit(MissionAsked asked) {
   static_cast<void>(starts_of(asked));
   const std::string mark = mark_of(store_folder_, data_folder_);
-  const std::string id = number_of_question(asked, mark);
+  std::string id = number_of_question(asked, mark);
   {
     const std::lock_guard lock(mutex_);
     const auto same =

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "api/issued/site_state.h"
+#include "fields/site/site.h"
 
 namespace slackwater::api::desk {
 

@@ -99,6 +99,8 @@ bool Exchange::may_be_written_to(const Request& request) const {
 }
 
 std::string Exchange::allowed_methods(const Request& request) const {
+  if (options_.methods_at)
+    if (std::string methods = options_.methods_at(request.path); !methods.empty()) return methods;
   return may_be_written_to(request) ? "GET, HEAD, OPTIONS, POST" : "GET, HEAD, OPTIONS";
 }
 

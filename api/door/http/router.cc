@@ -141,6 +141,20 @@ Outcome Router::called(const Route& route, const Segments& path, const Request& 
   }};
 }
 
+std::string Router::methods_of(const std::vector<const Route*>& routes) {
+  std::string methods;
+  for (const Route* route : routes)
+    methods += route->method == "GET" ? "GET, HEAD, " : route->method + ", ";
+  return methods + "OPTIONS";
+}
+
+std::string Router::methods_at(const std::string& path) const {
+  const auto segments = decoded_segments(path);
+  if (!segments) return {};
+  const auto routes = fitting(*segments);
+  return routes.empty() ? std::string() : methods_of(routes);
+}
+
 Outcome Router::operator()(const Request& request) const {
   const auto path = decoded_segments(request.path);
   if (!path) {
@@ -154,14 +168,10 @@ Outcome Router::operator()(const Request& request) const {
     return problem(404, "There is nothing at this path; nearby are: " + nearby(*path) + ".",
                    request.path);
   }
-  std::string allowed;
-  for (const Route* route : routes) {
-    if (route->method == (request.method == "HEAD" ? "GET" : request.method)) {
+  for (const Route* route : routes)
+    if (route->method == (request.method == "HEAD" ? "GET" : request.method))
       return called(*route, *path, request);
-    }
-    allowed += route->method == "GET" ? "GET, HEAD, " : route->method + ", ";
-  }
-  allowed += "OPTIONS";
+  const std::string allowed = methods_of(routes);
   Response refused = problem(
       405, "The method " + request.method + " is not served here; use one of " + allowed + ".",
       request.path);

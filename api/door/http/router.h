@@ -35,6 +35,9 @@ class Router {
   /// or in its long work, becomes a problem document. The response of a handler carries
   /// the pattern as its route.
   [[nodiscard]] Outcome operator()(const Request& request) const;
+  /// "GET, HEAD, OPTIONS": what a path is served by, as the Allow field has it; empty where there is
+  /// nothing.
+  [[nodiscard]] std::string methods_at(const std::string& path) const;
   /// The patterns, each once: the labels of the metrics.
   [[nodiscard]] std::vector<std::string> labels() const;
 
@@ -48,6 +51,7 @@ class Router {
   using Segments = std::vector<std::string>;
   [[nodiscard]] static Outcome called(const Route& route, const Segments& path,
                                       const Request& request);
+  [[nodiscard]] static std::string methods_of(const std::vector<const Route*>& routes);
   [[nodiscard]] std::vector<const Route*> fitting(const Segments& path) const;
   [[nodiscard]] std::string nearby(const Segments& path) const;
 

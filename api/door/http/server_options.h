@@ -56,6 +56,9 @@ struct ServerOptions {
   /// Requests whose handler decides by itself who may write, by tokens of its own: neither `token`
   /// nor `read_only` is asked about them. Empty: none. Called from any thread, must not throw.
   std::function<bool(const Request&)> guards_itself;
+  /// The methods of a path, as the Allow field has them (`Router::methods_at`); empty, or where it
+  /// says nothing: those that the server knows. Called from any thread, must not throw.
+  std::function<std::string(const std::string& path)> methods_at;
   /// Fields of the handlers' own that scripts of other origins may read, beside the usual ones.
   std::vector<std::string> exposed_fields;
   Limits limits;

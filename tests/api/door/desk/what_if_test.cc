@@ -94,6 +94,20 @@ TEST_F(WhatIf, WhatCannotBeReadIsRefused) {
   EXPECT_EQ(posted("/sites/nowhere/what-if", json::object()).status, 404);
 }
 
+TEST_F(WhatIf, EachPathSaysByWhatItIsServed) {
+  const std::pair<const char*, const char*> all[] = {{"/sites/farm/what-if", "POST, OPTIONS"},
+                                                     {"/sites/farm", "GET, HEAD, OPTIONS"},
+                                                     {"/missions", "GET, HEAD, POST, OPTIONS"},
+                                                     {"/missions/x/cancel", "POST, OPTIONS"}};
+  for (const auto& [path, methods] : all) {
+    HttpClient client(port_);
+    client.send(std::string("OPTIONS ") + path + " HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
+    const auto reply = client.receive(false);
+    ASSERT_TRUE(reply) << path;
+    EXPECT_EQ(reply->field("allow"), methods) << path;
+  }
+}
+
 TEST_F(WhatIf, ForeignPagesAndProxiesAreRefused) {
   for (const char* fields :
        {"Origin: http://elsewhere.example\r\n", "X-Forwarded-For: 10.0.0.1\r\n",
