@@ -49,7 +49,7 @@ test('TheWorstIsFirst', () => {
 
 test('WhatToDoIsSaidOfAllThatIsNotInForce', () => {
   for (const status of ['stale', 'degraded', 'hindcast', 'unreadable'] as const) {
-    expect(advice_of(site('bay', status))).toMatch(/slackwater (morning --site bay|store check)/);
+    expect(advice_of(site('bay', status))).toMatch(/slackwater (forecast --site bay|store check)/);
   }
   expect(advice_of(site('bay'))).toBe('');
   expect(counts_text([site('a'), site('b', 'stale')])).toBe('2 sites: 1 old, 1 in force');
