@@ -35,8 +35,8 @@ class Router {
   /// or in its long work, becomes a problem document. The response of a handler carries
   /// the pattern as its route.
   [[nodiscard]] Outcome operator()(const Request& request) const;
-  /// "GET, HEAD, OPTIONS": what a path is served by, as the Allow field has it; empty where there is
-  /// nothing.
+  /// "GET, HEAD, OPTIONS": what a path is served by, as the Allow field has it; empty where there
+  /// is nothing.
   [[nodiscard]] std::string methods_at(const std::string& path) const;
   /// The patterns, each once: the labels of the metrics.
   [[nodiscard]] std::vector<std::string> labels() const;
