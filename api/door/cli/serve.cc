@@ -123,7 +123,7 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   options.port = static_cast<std::uint16_t>(arguments.port);
   options.threads = static_cast<std::size_t>(arguments.threads);
   options.token = token_of(arguments.token_file);
-  options.read_only = true;  // but for what asks for tokens of its own
+  options.read_only = true;  // but for the paths that take POST
   options.exposed_fields = edr::own_header_fields();
   options.on_failure = [](const http::Request& request, const std::string& what) {
     log_event(LogLevel::error, "request failed", {{"path", request.path}, {"problem", what}});
@@ -135,13 +135,10 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   desk::add_page_routes(router);
   desk::add_routes(router, {forecasts, freshness, context.store_folder, data_folder(),
                             static_cast<std::size_t>(arguments.threads)});
-  options.guards_itself = desk::is_guarded_here;
   if (people) {
     beside.interface.merge_patch(sessions::interface_document());
     sessions::add_routes(router, people);
-    options.guards_itself = [](const http::Request& request) {
-      return desk::is_guarded_here(request) || sessions::is_for_supervisors(request);
-    };
+    options.guards_itself = sessions::is_for_supervisors;
     options.limits = limits_for(people->most_at_once());
   }
   edr::add_routes(router, forecasts, base_url, freshness, beside);

@@ -60,7 +60,8 @@ AskedWords::AskedWords(const std::string& query, std::initializer_list<std::stri
       }
       said_.push_back(word);
       if (said_.size() > most_words)
-        throw bad_parameter("query", "more words", "at most " + std::to_string(most_words));
+        throw bad_parameter("query", std::to_string(said_.size()) + " parameters",
+                            "at most " + std::to_string(most_words));
     }
   }
 }
@@ -95,6 +96,16 @@ double AskedWords::number(std::string_view name, double least, double most,
   return said.empty() ? otherwise : number_in(name, said, least, most);
 }
 
+std::size_t AskedWords::count(std::string_view name, std::size_t most,
+                              std::size_t otherwise) const {
+  const std::string said = one(name);
+  if (said.empty()) return otherwise;
+  const auto value = edr::count_of(said);
+  if (!value || *value < 1 || *value > most)
+    throw bad_parameter(name, said, formatted("a whole number from 1 to {}", most));
+  return *value;
+}
+
 void expect_id(std::string_view what, const std::string& id) {
   const bool is_plain = std::all_of(id.begin(), id.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -119,7 +130,7 @@ WindowsWords windows_words(const std::string& site, const std::string& query) {
   asked.to = words.one("to");
   if (const std::string every = words.one("every"); !every.empty()) asked.every = every;
   asked.contingency = words.one("contingency");
-  asked.members = static_cast<std::size_t>(words.number("members", 1, 1000, 0));
+  asked.members = words.count("members", 1000, 0);
   asked.waves = chosen(words, "waves", asked.waves, {"error", "forecast"});
   asked.assume = words.all("assume");
   asked.light = words.one("light");

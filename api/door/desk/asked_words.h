@@ -43,6 +43,9 @@ class AskedWords {
     return text.empty() ? std::optional<Value>()
                         : std::optional<Value>(read_word(name, text, parse));
   }
+  /// @throws Error(usage) for what is no whole number from 1 to `most`
+  [[nodiscard]] std::size_t count(std::string_view name, std::size_t most,
+                                  std::size_t otherwise) const;
   /// @throws Error(usage) for what is no number from `least` to `most`
   [[nodiscard]] double number(std::string_view name, double least, double most,
                               double otherwise) const;

@@ -10,7 +10,6 @@
 #include "api/door/desk/slack_answer.h"
 #include "api/door/desk/texts_of_site.h"
 #include "api/door/desk/what_if.h"
-#include "api/door/http/problem.h"
 #include "fields/base/error.h"
 
 namespace slackwater::api::desk {
@@ -41,24 +40,12 @@ Response not_kept(const json& body, int status = 200) {
   return response;
 }
 
-/// Work that costs cores is for this machine and for who carries the token.
-std::optional<Response> refusal(const Request& request) {
-  if (request.is_trusted) return std::nullopt;
-  Response response = http::problem(
-      401,
-      "found a request from afar, expected one from this machine, or the token of --token-file in "
-      "Authorization: Bearer TOKEN",
-      request.path);
-  response.headers.emplace_back("WWW-Authenticate", "Bearer");
-  return response;
-}
-
 MissionAsked mission_asked(const std::string& body) {
   const json asked = json::parse(body, nullptr, false);
   const auto unlike = [] {
     return Error(ErrorKind::usage,
-                 R"(expected {"mission": YAML}, and perhaps "starts": [TIME] and "members": 1 to )"
-                 "1000");
+                 R"(found a body that is something else, expected {"mission": YAML}, and perhaps )"
+                 R"("starts": [TIME] and "members": 1 to 1000)");
   };
   if (!asked.is_object() || !asked.contains("mission")) throw unlike();
   MissionAsked mission;
@@ -82,7 +69,6 @@ MissionAsked mission_asked(const std::string& body) {
 void add_mission_routes(http::Router& router, const std::shared_ptr<MissionJobs>& jobs) {
   router.add("GET", "/missions", [jobs](const Request&) { return not_kept(jobs->jobs()); });
   router.add("POST", "/missions", [jobs](const Request& request) {
-    if (auto no = refusal(request)) return *std::move(no);
     const std::string id = jobs->submit(mission_asked(request.body));
     Response response = not_kept({{"id", id}}, 202);
     response.headers.emplace_back("Location", "/missions/" + id);
@@ -93,8 +79,7 @@ void add_mission_routes(http::Router& router, const std::shared_ptr<MissionJobs>
                return not_kept(jobs->job(path.at("mission")));
              });
   router.add("POST", "/missions/{mission}/cancel",
-             [jobs](const Request& request, const PathParameters& path) -> Outcome {
-               if (auto no = refusal(request)) return *std::move(no);
+             [jobs](const Request&, const PathParameters& path) -> Outcome {
                return not_kept(jobs->cancel(path.at("mission")), 202);
              });
 }
@@ -102,7 +87,8 @@ void add_mission_routes(http::Router& router, const std::shared_ptr<MissionJobs>
 }  // namespace
 
 void add_routes(http::Router& router, const DeskSettings& settings) {
-  const auto kept = std::make_shared<KeptAnswers>(settings.store_folder, settings.data_folder);
+  const auto kept = std::make_shared<KeptAnswers>(settings.store_folder, settings.data_folder,
+                                                  settings.freshness.now);
   Answers from;
   from.store_folder = settings.store_folder;
   from.data_folder = settings.data_folder;
@@ -145,7 +131,6 @@ void add_routes(http::Router& router, const DeskSettings& settings) {
              });
   router.add("POST", "/sites/{site}/what-if",
              [from](const Request& request, const PathParameters& path) -> Outcome {
-               if (auto no = refusal(request)) return *std::move(no);
                return LongWork{[from, site = path.at("site"), body = request.body] {
                  return not_kept(what_if(from, site, body));
                }};
@@ -153,12 +138,6 @@ void add_routes(http::Router& router, const DeskSettings& settings) {
   add_mission_routes(router,
                      std::make_shared<MissionJobs>(settings.store_folder, settings.data_folder,
                                                    settings.missions_at_once));
-}
-
-bool is_guarded_here(const http::Request& request) {
-  const std::string_view path = request.path;
-  return path == "/missions" || path.starts_with("/missions/") ||
-         (path.starts_with("/sites/") && path.ends_with("/what-if"));
 }
 
 }  // namespace slackwater::api::desk

@@ -23,11 +23,8 @@ struct DeskSettings {
 ///     POST /sites/{site}/what-if
 ///     GET, POST /missions    GET /missions/{mission}    POST /missions/{mission}/cancel
 ///
+/// POST is work that costs cores: it is for this machine, and for who carries the server's token.
 /// `interface_document` has their OpenAPI.
 void add_routes(http::Router& router, const DeskSettings& settings);
-
-/// Whether a request goes to a path that takes POST. Their handlers ask whether it is
-/// trusted: `http::ServerOptions::guards_itself`.
-[[nodiscard]] bool is_guarded_here(const http::Request& request);
 
 }  // namespace slackwater::api::desk

@@ -75,7 +75,7 @@ ClimateQuestion climate_question(const AskedWords& words) {
         question.of.push_back(one);
     }
   }
-  question.sectors = static_cast<std::size_t>(words.number("sectors", 1, 360, 12));
+  question.sectors = words.count("sectors", 360, 12);
   if (const auto years = words.all("return-period"); !years.empty()) {
     question.storms.return_years.clear();
     for (const std::string& text : years)

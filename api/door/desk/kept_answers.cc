@@ -8,8 +8,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_kept = 64;
-/// Hours that have passed are told by none of them.
-constexpr std::chrono::seconds longest{60};
+constexpr std::chrono::minutes longest{5};
 
 void add_mark(const fs::path& file, std::string& mark) {
   std::error_code unreadable;
@@ -39,8 +38,10 @@ std::string mark_of(const fs::path& store_folder, const fs::path& data_folder) {
   return mark;
 }
 
-KeptAnswers::KeptAnswers(fs::path store_folder, fs::path data_folder)
-    : store_folder_(std::move(store_folder)), data_folder_(std::move(data_folder)) {}
+KeptAnswers::KeptAnswers(fs::path store_folder, fs::path data_folder, std::function<UtcTime()> now)
+    : store_folder_(std::move(store_folder)),
+      data_folder_(std::move(data_folder)),
+      now_(std::move(now)) {}
 
 void KeptAnswers::make_room() {
   while (kept_.size() >= most_kept)
@@ -50,21 +51,21 @@ void KeptAnswers::make_room() {
 }
 
 http::Response KeptAnswers::answer(const std::string& question, const Make& make) {
-  const std::string mark = mark_of(store_folder_, data_folder_);
+  const std::string mark =
+      mark_of(store_folder_, data_folder_) + std::to_string(now_().time_since_epoch() / longest);
   std::promise<std::shared_ptr<const http::Response>> promise;
   Pending pending;
   std::size_t number = 0;
   {
     const std::lock_guard lock(mutex_);
     const auto found = kept_.find(question);
-    if (found != kept_.end() && found->second.mark == mark &&
-        Clock::now() - found->second.since < longest) {
+    if (found != kept_.end() && found->second.mark == mark) {
       pending = found->second.response;
     } else {
       if (found != kept_.end()) kept_.erase(found);
       make_room();
       number = ++last_;
-      kept_[question] = {promise.get_future().share(), mark, Clock::now(), number};
+      kept_[question] = {promise.get_future().share(), mark, number};
     }
   }
   if (number == 0) return *pending.get();

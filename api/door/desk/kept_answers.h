@@ -1,5 +1,4 @@
 #pragma once
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -8,6 +7,7 @@
 #include <string>
 
 #include "api/door/http/message.h"
+#include "fields/base/time.h"
 
 namespace slackwater::api::desk {
 
@@ -17,27 +17,28 @@ namespace slackwater::api::desk {
                                   const std::filesystem::path& data_folder);
 
 /// Answers that many ask for at once, and again: each is worked out once, and kept until the store
-/// changes or a minute is over. Thread-safe.
+/// changes or the server's clock shows the next five minutes: starts that have passed lie on such
+/// times. Thread-safe.
 class KeptAnswers {
  public:
   using Make = std::function<http::Response()>;
-  KeptAnswers(std::filesystem::path store_folder, std::filesystem::path data_folder);
+  KeptAnswers(std::filesystem::path store_folder, std::filesystem::path data_folder,
+              std::function<UtcTime()> now);
 
   /// @param question  the same for the same answer; @throws what `make` throws, which is not kept
   [[nodiscard]] http::Response answer(const std::string& question, const Make& make);
 
  private:
-  using Clock = std::chrono::steady_clock;
   using Pending = std::shared_future<std::shared_ptr<const http::Response>>;
   struct Kept {
     Pending response;
     std::string mark;
-    Clock::time_point since;
     std::size_t number = 0;
   };
   void make_room();
 
   std::filesystem::path store_folder_, data_folder_;
+  std::function<UtcTime()> now_;
   std::mutex mutex_;
   std::map<std::string, Kept> kept_;
   std::size_t last_ = 0;

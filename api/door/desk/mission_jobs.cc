@@ -7,6 +7,7 @@
 #include "api/door/desk/own_folder.h"
 #include "api/show/rehearse/rehearsal_json.h"
 #include "fields/base/error.h"
+#include "fields/base/log.h"
 #include "fields/base/sha256.h"
 #include "fields/base/whole_file.h"
 
@@ -92,8 +93,9 @@ std::string MissionJobs::submit(MissionAsked asked) {
     const auto same =
         std::find_if(all_.begin(), all_.end(), [&](const auto& job) { return job->id == id; });
     if (same != all_.end()) {
-      if (is_open((*same)->state) || (*same)->state == JobState::done) return id;
-      all_.erase(same);  // what failed or was cancelled is tried again
+      const Job& job = **same;
+      if (job.state == JobState::done || (is_open(job.state) && !job.is_unwanted)) return id;
+      all_.erase(same);  // what failed, or nobody wanted, is tried again
     }
     const auto waiting = std::count_if(
         all_.begin(), all_.end(), [](const auto& job) { return job->state == JobState::waiting; });
@@ -161,8 +163,9 @@ void MissionJobs::fly(const std::shared_ptr<Job>& job) {
     state = JobState::cancelled;
   } catch (const Error& problem) {
     why = without(folder, problem.message());
-  } catch (const std::exception&) {
+  } catch (const std::exception& bug) {
     why = "the rehearsal failed inside; the log of the server says more";
+    log_event(LogLevel::error, "rehearsal failed", {{"id", job->id}, {"problem", bug.what()}});
   }
   const std::lock_guard lock(mutex_);
   job->state = state;

@@ -93,15 +93,15 @@ Exchange::Exchange(const ServerOptions& options, const Handler& handler)
   for (const std::string& field : options.exposed_fields) exposed_fields_ += ", " + field;
 }
 
-/// By whoever shows what its guard wants to see.
-bool Exchange::may_be_written_to(const Request& request) const {
-  return !options_.read_only || (options_.guards_itself && options_.guards_itself(request));
-}
-
 std::string Exchange::allowed_methods(const Request& request) const {
   if (options_.methods_at)
     if (std::string methods = options_.methods_at(request.path); !methods.empty()) return methods;
-  return may_be_written_to(request) ? "GET, HEAD, OPTIONS, POST" : "GET, HEAD, OPTIONS";
+  return options_.read_only ? "GET, HEAD, OPTIONS" : "GET, HEAD, OPTIONS, POST";
+}
+
+/// By whoever shows what its guard wants to see.
+bool Exchange::may_be_written_to(const Request& request) const {
+  return allowed_methods(request).find("POST") != std::string::npos;
 }
 
 /// Scripts of other origins may read alone.

@@ -52,9 +52,9 @@ struct ServerOptions {
   /// one more carries the bytes.
   std::size_t threads = 2;
   std::optional<std::string> token;  ///< `Authorization: Bearer <token>` may write from afar
-  bool read_only = false;            ///< POST is refused too
-  /// Requests whose handler decides by itself who may write, by tokens of its own: neither `token`
-  /// nor `read_only` is asked about them. Empty: none. Called from any thread, must not throw.
+  bool read_only = false;            ///< POST is refused too, but where `methods_at` names it
+  /// Requests whose handler decides by itself who may write, by tokens of its own: `token` is not
+  /// asked about them. Empty: none. Called from any thread, must not throw.
   std::function<bool(const Request&)> guards_itself;
   /// The methods of a path, as the Allow field has them (`Router::methods_at`); empty, or where it
   /// says nothing: those that the server knows. Called from any thread, must not throw.

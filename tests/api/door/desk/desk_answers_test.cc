@@ -152,6 +152,7 @@ TEST_F(DeskAnswers, WhatCannotBeAnsweredIsRefusedInOneSentence) {
            Refusal{"/sites/farm/windows?from=tomorrow", 400, "from: "},
            Refusal{"/sites/farm/windows?members=many", 400, "members: found 'many'"},
            Refusal{"/sites/farm/windows?members=1e9", 400, "from 1 to 1000"},
+           Refusal{"/sites/farm/windows?members=2.5", 400, "a whole number"},
            Refusal{"/sites/farm/windows?waves=high", 400, "error or forecast"},
            Refusal{"/sites/farm/windows?go=0.3&marginal=0.6", 400, "found marginal above go"},
            Refusal{"/sites/farm/windows?shift=", 400, "shift"},
