@@ -1,49 +1,24 @@
 #include "api/door/desk/interface_document.h"
 
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "api/door/http/interface_words.h"
 
 namespace slackwater::api::desk {
 namespace {
 
 using nlohmann::json;
 
-json reference(const std::string& kind, const std::string& name) {
-  return {{"$ref", "#/components/" + kind + "/" + name}};
-}
-
-json text() { return {{"type", "string"}}; }
-json object(json properties) { return {{"type", "object"}, {"properties", std::move(properties)}}; }
-json list_of(json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
-
-json answer(const std::string& description, json schema) {
-  return {{"description", description},
-          {"content", {{"application/json", {{"schema", std::move(schema)}}}}}};
-}
-
-json with_refusals(json responses, std::initializer_list<const char*> more) {
-  for (const char* status : {"400", "405", "408", "413", "414", "431", "500", "503"})
-    responses[status] = reference("responses", status);
-  for (const char* status : more) responses[status] = reference("responses", status);
-  return responses;
-}
-
-json refused_for(const std::string& description) {
-  return {
-      {"description", description},
-      {"content", {{"application/problem+json", {{"schema", reference("schemas", "Problem")}}}}}};
-}
-
-json operation(const std::string& id, const std::string& tag, const std::string& summary,
-               json parameters, json responses) {
-  return {{"operationId", id},
-          {"summary", summary},
-          {"tags", json::array({tag})},
-          {"parameters", std::move(parameters)},
-          {"responses", std::move(responses)}};
-}
+using http::openapi::answer;
+using http::openapi::list_of;
+using http::openapi::object;
+using http::openapi::operation;
+using http::openapi::reference;
+using http::openapi::refusals;
+using http::openapi::refused_for;
+using http::openapi::text;
 
 struct Word {
   const char* name;
@@ -97,7 +72,7 @@ json of_site(const std::vector<Word>& words) {
 /// What a command answers: its JSON is described with the command.
 json answer_of(const char* id, const char* summary, const char* like,
                const std::vector<Word>& words, const char* schema = "Answer") {
-  json responses = with_refusals({}, {"404"});
+  json responses = refusals({"404"});
   responses["200"] = answer(std::string("As `") + like + "`", reference("schemas", schema));
   return {{"get", operation(id, "Sites", summary, of_site(words), std::move(responses))}};
 }
@@ -110,7 +85,7 @@ json guarded(json operation) {
 }
 
 json what_if() {
-  json responses = with_refusals({}, {"404"});
+  json responses = refusals({"404"});
   responses["200"] = answer("The windows and the plan as they would be; nothing is saved",
                             reference("schemas", "WhatIfAnswer"));
   json post = guarded(operation("ask_what_if", "Sites", "The same questions with other texts",
@@ -123,14 +98,14 @@ json what_if() {
 
 json mission_paths() {
   const json job = reference("schemas", "MissionJob");
-  json listed = with_refusals({}, {});
+  json listed = refusals();
   listed["200"] = answer("The rehearsals that are known", object({{"missions", list_of(job)}}));
-  json taken = with_refusals({}, {});
+  json taken = refusals();
   taken["202"] =
       answer("It waits its turn; Location says where it is told", object({{"id", text()}}));
-  json one = with_refusals({}, {"404"});
+  json one = refusals({"404"});
   one["200"] = answer("How it stands, and its result: as `slackwater rehearse --json`", job);
-  json ended = with_refusals({}, {"404"});
+  json ended = refusals({"404"});
   ended["202"] = answer("It ends with the round that is flown", job);
   json submit = guarded(operation("submit_mission", "Missions",
                                   "Rehearses a mission in the futures of the forecast",
@@ -152,7 +127,7 @@ json mission_paths() {
 
 json paths() {
   const std::string at = "/sites/{siteId}";
-  json listed = with_refusals({}, {});
+  json listed = refusals();
   listed["200"] = answer("Every site and how its forecast is", reference("schemas", "Sites"));
   json out{
       {"/sites",

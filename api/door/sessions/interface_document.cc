@@ -1,36 +1,27 @@
 #include "api/door/sessions/interface_document.h"
 
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "api/door/http/interface_words.h"
 
 namespace slackwater::sessions {
 namespace {
 
 using nlohmann::json;
 
-json reference(const std::string& kind, const std::string& name) {
-  return {{"$ref", "#/components/" + kind + "/" + name}};
-}
+namespace openapi = api::http::openapi;
+using openapi::answer;
+using openapi::list_of;
+using openapi::object;
+using openapi::reference;
+using openapi::refusals;
+using openapi::refused_for;
+using openapi::text;
+using openapi::whole;
 
-json answer(const std::string& description, const std::string& schema) {
-  return {{"description", description},
-          {"content", {{"application/json", {{"schema", reference("schemas", schema)}}}}}};
-}
-
-json refused_for(const std::string& description) {
-  return {
-      {"description", description},
-      {"content", {{"application/problem+json", {{"schema", reference("schemas", "Problem")}}}}}};
-}
-
-/// What every route may be answered, of the refusals that forecasts have too.
-json refusals(std::initializer_list<const char*> more = {}) {
-  json all = json::object();
-  for (const char* status : {"400", "405", "408", "413", "414", "431", "500", "503"})
-    all[status] = reference("responses", status);
-  for (const char* status : more) all[status] = reference("responses", status);
-  return all;
+json answer_of(const std::string& description, const std::string& schema) {
+  return answer(description, reference("schemas", schema));
 }
 
 json with_token(json responses) {
@@ -39,11 +30,7 @@ json with_token(json responses) {
 }
 
 json operation(const std::string& id, const std::string& summary, json responses) {
-  return {{"operationId", id},
-          {"summary", summary},
-          {"tags", json::array({"Sessions"})},
-          {"parameters", json::array()},
-          {"responses", std::move(responses)}};
+  return openapi::operation(id, "Sessions", summary, json::array(), std::move(responses));
 }
 
 json of_session(json operation) {
@@ -59,9 +46,9 @@ json guarded(json operation) {
 
 json list_and_begin() {
   json listed = refusals();
-  listed["200"] = answer("The sessions, and what may be begun", "Sessions");
+  listed["200"] = answer_of("The sessions, and what may be begun", "Sessions");
   json begun = with_token(refusals({"404"}));
-  begun["201"] = answer("It has begun; Location says where", "BegunSession");
+  begun["201"] = answer_of("It has begun; Location says where", "BegunSession");
   begun["403"] = refused_for("Sessions are begun by supervisors, and by no page of another origin");
   begun["409"] = refused_for("As many are under way as may be at once");
   begun["415"] = refused_for("The body is no application/json");
@@ -80,14 +67,14 @@ json of_one(json responses) {
 
 json paths() {
   json one = refusals({"404"});
-  one["200"] = answer("The session", "Session");
+  one["200"] = answer_of("The session", "Session");
   json checked = of_one(refusals({"404"}));
   checked["204"] = {{"description", "The token opens a seat now"}};
   checked["409"] = refused_for("All seats of the token are taken");
   json record = of_one(refusals({"404"}));
-  record["200"] = answer("What was done and refused, in order", "SessionActions");
+  record["200"] = answer_of("What was done and refused, in order", "SessionActions");
   json ended = with_token(refusals({"404"}));
-  ended["202"] = answer("It ends, and its log is written", "BegunSession");
+  ended["202"] = answer_of("It ends, and its log is written", "BegunSession");
   ended["403"] = refused_for("Sessions are ended by supervisors, and by no page of another origin");
   json socket = of_one(refusals({"404"}));
   socket["101"] = {{"description", "WebSocket, slackwater.session.v1: api/docs/session_wire.md"}};
@@ -110,11 +97,6 @@ json paths() {
        {{"post",
          guarded(of_session(operation("end_session", "Ends a session; of supervisors", ended)))}}}};
 }
-
-json text() { return {{"type", "string"}}; }
-json whole() { return {{"type", "integer"}}; }
-json list_of(json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
-json object(json properties) { return {{"type", "object"}, {"properties", std::move(properties)}}; }
 
 json schemas() {
   return {{"Session", object({{"id", text()},
