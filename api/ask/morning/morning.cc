@@ -20,20 +20,24 @@ void expect_of_the_day(const PlanFile& file, const Morning& morning) {
                                               "; change its day, or leave it out");
 }
 
-/// From the next start of the grid until midnight. Why there are none is noted beside the next day.
+/// From the next start of the grid until midnight, on the day of the issue, and on the day that is
+/// told beside it where nothing newer was issued since. Why there are none is noted there.
 std::optional<WindowsAnswer> hours_left_today(const MorningQuestion& asked, WindowsAnswer& next_day,
                                               const std::filesystem::path& store_folder) {
   const WindowsQuestion& question = asked.windows;
   if (question.from || question.to) return std::nullopt;
   const Snapshot& forecast = next_day.water.surround.field->snapshot();
-  const UtcTime midnight(day_of(forecast.issued));
   const UtcTime now = std::max(forecast.issued, asked.now.value_or(forecast.issued));
-  if (day_of(now) != day_of(forecast.issued)) return std::nullopt;
+  const UtcTime midnight(day_of(now));
+  const bool is_day_of_issue = day_of(now) == day_of(forecast.issued);
   WindowsQuestion today = question;
   today.from = midnight +
                question.every * ((now - midnight + question.every - Duration(1)) / question.every);
   today.to = midnight + std::chrono::days(1);
-  if (*today.from >= *today.to || *today.to != next_day.from) return std::nullopt;
+  if (*today.from >= *today.to) return std::nullopt;
+  if (is_day_of_issue ? *today.to != next_day.from
+                      : midnight != next_day.from || *today.from == next_day.from)
+    return std::nullopt;
   today.water = next_day.water;
   today.past = next_day.past;
   std::optional<WindowsAnswer> answer;

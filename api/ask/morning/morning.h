@@ -35,8 +35,9 @@ struct MorningPlan {
 struct Morning {
   MorningQuestion question;
   WindowsAnswer windows;  ///< of the first full day after the issue, or of the hours asked for
-  /// Of the hours that are left of the day of the issue; nothing on another day, where other hours
-  /// were asked for, and where no task can be begun in them.
+  /// Of the hours that are left of the day of the issue, or of the day told in `windows` once it
+  /// has come; nothing on another day, where other hours were asked for, and where no task can be
+  /// begun in them.
   std::optional<WindowsAnswer> today;
   std::optional<PlanFile> plan_file;
   std::optional<MorningPlan> plan;

@@ -4,6 +4,7 @@
 
 #include "api/ask/windows/as_told.h"
 #include "api/ask/windows/vessel_access.h"
+#include "api/ask/windows/worth.h"
 #include "api/show/rehearse/rehearsal_json.h"
 #include "api/show/rehearse/risk_report.h"
 #include "api/show/windows/past_words.h"
@@ -160,6 +161,7 @@ json task_json(const TaskWindows& task) {
   for (const TaskLimit& limit : task.limits) limits.push_back(limit_json(limit));
   json starts = json::array();
   for (const TaskStart& start : task.starts) starts.push_back(start_json(task, start));
+  const TaskStart* best = best_of(task);
   json out{{"task", task.id},
            {"name", task.name},
            {"turbines", task.turbines},
@@ -173,6 +175,7 @@ json task_json(const TaskWindows& task) {
            {"not_checked", task.not_checked},
            {"assumed", task.assumed},
            {"notes", task.notes},
+           {"best", best != nullptr ? json{{"start", format_utc(best->start)}} : json(nullptr)},
            {"windows", windows_json(task, task.windows)},
            {"windows_by_threshold", windows_json(task, task.by_threshold)},
            {"windows_by_alpha", task.by_alpha ? windows_json(task, *task.by_alpha) : json(nullptr)},

@@ -70,6 +70,22 @@ TEST_F(Today, StandBeforeTomorrowWhereverItIsTold) {
   EXPECT_EQ(json.at("today").at("tasks").size(), 2U);
 }
 
+/// Nothing newer was issued since: what was tomorrow is today.
+TEST_F(Today, AreOfTheDayThatIsToldOnceItHasCome) {
+  MorningQuestion asked = question();
+  asked.now = parse_utc("2025-03-05T05:10:00Z");
+  const Morning morning = morning_of(asked, made_->store());
+  ASSERT_TRUE(morning.today);
+  EXPECT_EQ(format_utc(morning.today->from), "2025-03-05T05:30:00Z") << "no start is in the past";
+  EXPECT_EQ(morning.today->to, morning.windows.to);
+  EXPECT_EQ(format_utc(morning.windows.from), "2025-03-05T00:00:00Z");
+  for (const char* none :
+       {"2025-03-04T23:45:00Z", "2025-03-05T23:45:00Z", "2025-03-06T05:10:00Z"}) {
+    asked.now = parse_utc(none);
+    EXPECT_FALSE(morning_of(asked, made_->store()).today) << none;
+  }
+}
+
 TEST_F(Today, AreNotAddedToHoursThatWereAskedFor) {
   MorningQuestion asked = question();
   asked.windows.from = parse_utc("2025-03-05T06:00:00Z");
