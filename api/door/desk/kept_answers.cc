@@ -27,6 +27,11 @@ void add_folder(const fs::path& folder, std::string& mark) {
   for (const fs::path& file : files) add_mark(file, mark);
 }
 
+template <typename Pending>
+bool is_open(const Pending& response) {
+  return response.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+}
+
 }  // namespace
 
 std::string mark_of(const fs::path& store_folder, const fs::path& data_folder) {
@@ -59,7 +64,8 @@ http::Response KeptAnswers::answer(const std::string& question, const Make& make
   {
     const std::lock_guard lock(mutex_);
     const auto found = kept_.find(question);
-    if (found != kept_.end() && found->second.mark == mark) {
+    // What is being worked out is waited for: a second time beside itself it would take longer.
+    if (found != kept_.end() && (found->second.mark == mark || is_open(found->second.response))) {
       pending = found->second.response;
     } else {
       if (found != kept_.end()) kept_.erase(found);

@@ -48,16 +48,27 @@ const ForecastCatalogue::SiteForecast* served(const ForecastCatalogue& catalogue
   return found == catalogue.sites.end() ? nullptr : &*found;
 }
 
-/// The description, where there is one that can be read: a forecast answers without it.
-std::optional<Site> description_of(const std::string& id, const std::filesystem::path& store) {
+/// What the store or the program describes of a site: a forecast answers without it.
+struct Description {
   std::optional<Site> site;
-  static_cast<void>(attempt([&] { site = described_site(id, store); }));
-  return site;
+  std::string trouble;  ///< why it cannot be read; empty where it can, or there is none
+};
+
+Description description_of(const std::string& id, const std::filesystem::path& store) {
+  Description found;
+  const auto failure = attempt([&] { found.site = described_site(id, store); });
+  if (failure && failure->kind != ErrorKind::not_found)
+    found.trouble = "Its description cannot be read: " + failure->why + ".";
+  return found;
+}
+
+std::string beside(const std::string& words, const std::string& trouble) {
+  return trouble.empty() ? words : words + " " + trouble;
 }
 
 json site_line(const SiteState& state, const ForecastCatalogue& catalogue,
                const Freshness& freshness, const std::filesystem::path& store) {
-  const std::optional<Site> site = description_of(state.site_id, store);
+  const auto [site, trouble] = description_of(state.site_id, store);
   json place = nullptr;
   if (site) {
     place = place_json(site->point);
@@ -69,7 +80,7 @@ json site_line(const SiteState& state, const ForecastCatalogue& catalogue,
           {"place", std::move(place)},
           {"time_zone", site && site->time_zone ? json(site->time_zone->name()) : json(nullptr)},
           {"status", name_of(state.condition)},
-          {"in_words", in_words(state, freshness)},
+          {"in_words", beside(in_words(state, freshness), trouble)},
           {"forecast", forecast_json(state)},
           {"report", "/sites/" + state.site_id + "/report"}};
 }
@@ -85,6 +96,17 @@ json unforecast_line(const Site& site) {
            "No forecast yet. Ingest product files, then run: slackwater forecast "
            "--site " +
                site.id},
+          {"forecast", nullptr},
+          {"report", nullptr}};
+}
+
+json unreadable_line(const std::string& id, const std::string& trouble) {
+  return {{"id", id},
+          {"name", id},
+          {"place", nullptr},
+          {"time_zone", nullptr},
+          {"status", "no_forecast"},
+          {"in_words", trouble},
           {"forecast", nullptr},
           {"report", nullptr}};
 }
@@ -180,7 +202,9 @@ json sites_json(const IssuedFields& forecasts, const Freshness& freshness,
   }
   for (const std::string& id : known_sites({store_folder / "sites"})) {
     if (std::find(seen.begin(), seen.end(), id) != seen.end()) continue;
-    if (const auto site = description_of(id, store_folder)) sites.push_back(unforecast_line(*site));
+    const auto [site, trouble] = description_of(id, store_folder);
+    if (site) sites.push_back(unforecast_line(*site));
+    if (!trouble.empty()) sites.push_back(unreadable_line(id, trouble));
   }
   return {{"now", format_utc(freshness.now())},
           {"stale_after_s", std::chrono::duration<double>(freshness.stale_after).count()},
@@ -197,8 +221,9 @@ json site_json(const std::string& id, const IssuedFields& forecasts, const Fresh
     add_description(described_site(id, store_folder), freshness.now(), out);
   } else {
     out["name"] = forecast->field->snapshot().site_name;
-    if (const auto site = description_of(id, store_folder))
-      add_description(*site, freshness.now(), out);
+    const auto [site, trouble] = description_of(id, store_folder);
+    if (site) add_description(*site, freshness.now(), out);
+    out["trouble"] = trouble;
     add_reach(forecast->field->snapshot(), out);
   }
   for (const SiteState& state : site_states(*catalogue, freshness))

@@ -101,6 +101,19 @@ TEST_F(DeskAnswers, SitesSayHowTheirForecastsAre) {
   EXPECT_TRUE(contains(bare.at("in_words").get<std::string>(), "slackwater forecast --site"));
 }
 
+TEST_F(DeskAnswers, ADescriptionThatCannotBeReadIsToldAndTheForecastAnswers) {
+  const std::filesystem::path file = made_->store() / "sites" / "farm.yaml";
+  const std::string yaml = read_bytes(file);
+  std::ofstream(file) << yaml << "no_such_key: 1\n";
+  const json farm = got("/sites/farm");
+  EXPECT_TRUE(contains(farm.at("trouble").get<std::string>(), "no_such_key")) << farm;
+  EXPECT_FALSE(farm.at("columns").empty());
+  const json line = got("/sites").at("sites").at(0);
+  EXPECT_TRUE(contains(line.at("in_words").get<std::string>(), "cannot be read")) << line;
+  std::ofstream(file) << yaml;
+  EXPECT_EQ(got("/sites/farm").at("trouble"), "");
+}
+
 TEST_F(DeskAnswers, ASiteSaysWhatLiesThere) {
   const json farm = got("/sites/farm");
   EXPECT_EQ(farm.at("turbines").at(0).at("id"), "T1");
