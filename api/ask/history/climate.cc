@@ -98,14 +98,6 @@ ClimateSpread spread_of(const std::vector<double>& values) {
   return spread;
 }
 
-std::string months_text(const std::vector<int>& months) {
-  constexpr std::array names{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
-                             "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-  std::vector<std::string> found;
-  for (const int month : months) found.emplace_back(names[static_cast<std::size_t>(month - 1)]);
-  return joined(found, ", ");
-}
-
 class Climate {
  public:
   Climate(const History& history, const ClimateQuestion& question,
@@ -152,7 +144,6 @@ class Climate {
         part.rose = rose(kind, size, *direction);
     }
     if (question_.extremes) part.extremes = extremes(kind, values);
-    tell_months(kind, part.known);
     answer_.parts.push_back(std::move(part));
   }
 
@@ -189,16 +180,6 @@ class Climate {
       asked.threshold = unit.scale * stated->values.front() + unit.offset;
     }
     return twin::extremes_of(values, clock, asked);
-  }
-
-  void tell_months(const ClimateKind& kind, const twin::KnownMonths& known) {
-    if (const std::vector<int> unknown = known.unknown(); !unknown.empty())
-      answer_.notes.push_back(kind.word + ": nothing is known of " + months_text(unknown) +
-                              "; this is not the climate of a year");
-    if (const std::vector<int> thin = known.thin(); !thin.empty())
-      answer_.notes.push_back(kind.word + ": less is known of " + months_text(thin) +
-                              " than half of what is of other months; shares and extremes lean to "
-                              "those");
   }
 
   void add_scatters() {

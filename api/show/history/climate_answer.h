@@ -1,6 +1,7 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "api/ask/history/climate.h"
 
@@ -18,6 +19,9 @@ namespace slackwater::api {
 [[nodiscard]] std::string gumbel_method();
 [[nodiscard]] std::string extreme_value_method();
 [[nodiscard]] std::string interval_method(const ClimateQuestion& question);
+
+/// Which months a part knows nothing of, or little, a note each.
+[[nodiscard]] std::vector<std::string> month_notes(const ClimatePart& part);
 
 /// Why there are no peaks over a threshold; empty where there are.
 [[nodiscard]] std::string no_peaks_text(const twin::Extremes& extremes);

@@ -185,8 +185,10 @@ json climate_json(const History& history, const ClimateQuestion& question,
                    {"height_by_period", scatter_json(answer.by_period)},
                    {"height_by_direction", scatter_json(answer.by_sector)},
                    {"notes", history.notes}};
-  for (const ClimatePart& part : answer.parts)
+  for (const ClimatePart& part : answer.parts) {
     document["parts"].push_back(part_json(part, question, history));
+    for (const std::string& note : month_notes(part)) document["notes"].push_back(note);
+  }
   for (const std::string& note : answer.notes) document["notes"].push_back(note);
   return document;
 }

@@ -1,13 +1,20 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "api/show/history/climate_answer.h"
 #include "api/show/history/workability_answer.h"
+#include "fields/base/month_names.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
+
+std::string months_text(const std::vector<int>& months) {
+  std::vector<std::string> names;
+  for (const int month : months)
+    names.emplace_back(month_names[static_cast<std::size_t>(month - 1)]);
+  return joined(names, ", ");
+}
 
 /// "<4", "4-8", ">=24".
 std::string class_text(const std::vector<double>& edges, std::size_t index) {
@@ -31,10 +38,8 @@ std::string head_text(const History& history) {
 /// How much of each month is known.
 std::string coverage_text(const ClimateAnswer& answer) {
   std::string text = formatted("\n{:<9}", "known, %");
-  for (const char* month :
-       {"Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec", "all"})
-    text += formatted("{:>6}", month);
-  text += "\n";
+  for (const char* month : month_names) text += formatted("{:>6}", month);
+  text += formatted("{:>6}\n", "all");
   const auto cell = [](const twin::KnownSteps& one) {
     return formatted(
         "{:>6}", one.steps == 0 ? "-" : formatted("{:.1f}", 100 * share_of(one.known, one.steps)));
@@ -282,6 +287,18 @@ std::string interval_method(const ClimateQuestion& question) {
       "5th to 95th percentile of {} samples drawn from the fit and fitted again (parametric "
       "bootstrap, seed {}); they know no error of the series, and no change of climate",
       question.storms.resamples, question.storms.seed);
+}
+
+std::vector<std::string> month_notes(const ClimatePart& part) {
+  const std::string& word = kind_of(part.of).word;
+  std::vector<std::string> notes;
+  if (const std::vector<int> unknown = part.known.unknown(); !unknown.empty())
+    notes.push_back(word + ": nothing is known of " + months_text(unknown) +
+                    "; this is not the climate of a year");
+  if (const std::vector<int> thin = part.known.thin(); !thin.empty())
+    notes.push_back(word + ": less is known of " + months_text(thin) +
+                    " than half of what is of other months; shares lean to those");
+  return notes;
 }
 
 std::string no_peaks_text(const twin::Extremes& extremes) {
