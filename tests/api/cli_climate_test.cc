@@ -183,7 +183,7 @@ TEST_F(ClimateCommand, GapsAreToldByMonthAndAreNoCalms) {
   EXPECT_TRUE(contains(told.out, "51.6")) << told.out;
   EXPECT_TRUE(contains(told.err, "nothing is known of Feb, Mar")) << told.err;
   EXPECT_TRUE(contains(told.out, "no extremes from storms: 0.04 years are known")) << told.out;
-  EXPECT_FALSE(contains(told.out, "once in 50")) << told.out;
+  EXPECT_FALSE(contains(told.out, "storms over a threshold")) << told.out;
 }
 
 /// Twelve years of made-up storms: what is supported is told with an interval, the rest is not.
@@ -235,6 +235,23 @@ TEST_F(ClimateCommand, ExtremesSayMethodThresholdAndWhatIsNotSupported) {
       answer({file, "--extremes", "--threshold", "waves=350 cm", "--separation", "3d"});
   EXPECT_EQ(asked.at("parts").at(0).at("extremes").at("peaks").at("threshold"), 3.5);
   EXPECT_EQ(asked.at("parts").at(0).at("extremes").at("separation_h"), 72);
+}
+
+/// Twelve summers, three-hourly: four years known in all.
+TEST_F(ClimateCommand, SummersHaveNoExtremesOfAYear) {
+  std::string text = "time," + height + "\n";
+  for (int year = 2000; year < 2012; ++year)
+    for (int step = 0; step < 122 * 8; ++step)
+      text += format_utc(parse_utc(formatted("{}-05-01T00:00:00Z", year)) +
+                         std::chrono::hours(3 * step)) +
+              formatted(",{:.2f}\n", 1 + (step % 40 == 0 ? 0.01 * (step * 7 % 97) + 1 : 0.0));
+  const std::string file = store_.write("summers.csv", text);
+  const json extremes = answer({file, "--extremes"}).at("parts").at(0).at("extremes");
+  EXPECT_TRUE(contains(extremes.at("peaks").at("why_not").get<std::string>(),
+                       "of Jan, Feb, Mar, Apr, Sep, Oct, Nov, Dec nothing is known"));
+  EXPECT_FALSE(extremes.at("peaks").contains("returns"));
+  EXPECT_TRUE(extremes.at("thresholds").empty());
+  EXPECT_TRUE(extremes.at("annual_maxima").empty());
 }
 
 TEST_F(ClimateCommand, WhatMakesNoSenseIsRefusedInOneLine) {

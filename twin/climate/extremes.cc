@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fields/base/check.h"
 #include "fields/base/quantile.h"
 #include "fields/base/random.h"
+#include "twin/climate/known_months.h"
 #include "twin/risk/calendar.h"
 
 namespace slackwater::twin {
@@ -47,6 +49,11 @@ std::vector<ReturnValue> asked(const ExtremesQuestion& question, double history_
     returns.push_back(one);
   }
   return returns;
+}
+
+double days_of(int year, int month) {
+  const auto last = std::chrono::year(year) / month / std::chrono::last;
+  return static_cast<unsigned>(std::chrono::year_month_day_last(last).day());
 }
 
 /// Storms over each possible threshold, from the greatest threshold on.
@@ -157,19 +164,22 @@ std::vector<YearMaximum> year_maxima(std::span<const double> values, const StepC
   const std::vector<MonthSteps> months = months_of(clock, std::nullopt);
   for (auto month = months.begin(); month != months.end();) {
     const int year = month->year;
-    const std::size_t begin = month->steps.begin;
-    std::size_t end = begin;
-    for (; month != months.end() && month->year == year; ++month) end = month->steps.end;
-    YearMaximum maximum{year, begin, 0};
-    std::size_t known = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (std::isnan(values[i])) continue;
-      if (known == 0 || values[i] > maximum.value) maximum = {year, i, values[i]};
-      ++known;
+    YearMaximum maximum{year, month->steps.begin, -std::numeric_limits<double>::infinity()};
+    double known_h = 0;
+    std::size_t known_months = 0;
+    for (; month != months.end() && month->year == year; ++month) {
+      std::size_t known = 0;
+      for (std::size_t i = month->steps.begin; i < month->steps.end; ++i) {
+        if (std::isnan(values[i])) continue;
+        if (values[i] > maximum.value) maximum = {year, i, values[i]};
+        ++known;
+      }
+      const double month_h = static_cast<double>(known) * clock.step_h();
+      known_h += month_h;
+      known_months += month_h >= month_share * 24 * days_of(year, month->month) ? 1 : 0;
     }
     const double days = std::chrono::year(year).is_leap() ? 366 : 365;
-    if (static_cast<double>(known) * clock.step_h() >= complete_share * days * 24)
-      maxima.push_back(maximum);
+    if (known_months == 12 && known_h >= complete_share * days * 24) maxima.push_back(maximum);
   }
   return maxima;
 }
@@ -178,9 +188,8 @@ Extremes extremes_of(std::span<const double> values, const StepClock& clock,
                      const ExtremesQuestion& question) {
   expects(values.size() == clock.steps, "a value for each step");
   Extremes result;
-  const auto known =
-      std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
-  result.years_known = static_cast<double>(known) * clock.step_h() / hours_of_year;
+  const KnownMonths known = known_months(values, months_of(clock, std::nullopt));
+  result.years_known = static_cast<double>(known.all.known) * clock.step_h() / hours_of_year;
   result.separation_h = static_cast<double>(question.separation_steps) * clock.step_h();
   result.maxima = year_maxima(values, clock);
   std::vector<double> maxima;
@@ -189,6 +198,13 @@ Extremes extremes_of(std::span<const double> values, const StepClock& clock,
   if (maxima.size() >= least_shape_years) result.extreme_value = maxima_fit(maxima, true, question);
   if (result.years_known < least_years) {
     result.no_peaks = NoPeaks::short_history;
+    return result;
+  }
+  result.months_missing = known.unknown();
+  for (const int month : known.thin()) result.months_missing.push_back(month);
+  if (!result.months_missing.empty()) {
+    std::sort(result.months_missing.begin(), result.months_missing.end());
+    result.no_peaks = NoPeaks::seasons_missing;
     return result;
   }
   const Thresholds thresholds(values, result.years_known, question.separation_steps);

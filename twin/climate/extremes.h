@@ -26,6 +26,7 @@ inline constexpr std::size_t least_storms = 20;        ///< over it
 inline constexpr std::size_t least_gumbel_years = 10;  ///< complete, for maxima of years
 inline constexpr std::size_t least_shape_years = 20;   ///< for a shape of their own
 inline constexpr double complete_share = 0.9;          ///< known of a year that is complete
+inline constexpr double month_share = 0.5;             ///< and of each of its months
 /// A return value is answered up to so many times the history: the old rule of metocean practice is
 /// three to four.
 inline constexpr double most_histories = 4;
@@ -77,17 +78,19 @@ struct MaximaFit {
 };
 
 enum class NoPeaks {
-  none,           ///< there is a fit
-  short_history,  ///< less than `least_years`
-  few_storms,     ///< fewer than `least_storms` over the threshold
-  all_alike       ///< no two values differ
+  none,             ///< there is a fit
+  short_history,    ///< less than `least_years`
+  seasons_missing,  ///< a month of the year is unknown, or thin (known_months.h)
+  few_storms,       ///< fewer than `least_storms` over the threshold
+  all_alike         ///< no two values differ
 };
 
 /// The extremes of a series.
 struct Extremes {
   double years_known = 0;  ///< steps that are known, in years of 365.25 days
   NoPeaks no_peaks = NoPeaks::none;
-  std::size_t storms_found = 0;  ///< over the threshold, or over the best of all that were tried
+  std::vector<int> months_missing;  ///< 1 to 12: those of `seasons_missing`
+  std::size_t storms_found = 0;     ///< over the threshold, or over the best of all that were tried
   double separation_h = 0;
   std::optional<PeaksFit> peaks;
   std::vector<PeaksFit> other_thresholds;  ///< ascending, that of `peaks` among them

@@ -308,6 +308,10 @@ std::string no_peaks_text(const twin::Extremes& extremes) {
           "no extremes from storms: {:.2f} years are known, and fewer than {:g} say nothing of "
           "them.",
           extremes.years_known, twin::least_years);
+    case twin::NoPeaks::seasons_missing:
+      return "no extremes from storms: of " + months_text(extremes.months_missing) +
+             " nothing is known, or less than half of what is known of other months; storms of a "
+             "part of the year are not those of a year.";
     case twin::NoPeaks::few_storms:
       return formatted(
           "no extremes from storms: {} over the threshold, {:g} h apart, expected {} at least; say "

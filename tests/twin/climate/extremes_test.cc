@@ -7,6 +7,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
+#include "twin/risk/calendar.h"
 
 namespace slackwater::twin::extremes_test {
 namespace {
@@ -49,6 +50,17 @@ TEST(YearMaxima, OfYearsThatAreComplete) {
   EXPECT_EQ(maxima.front().year, 2002);
   EXPECT_EQ(maxima.front().value, 5);
   EXPECT_EQ(maxima.front().step, 284U);
+}
+
+/// A winter's storms are of December and January: a year without one of its months may have had its
+/// greatest there.
+TEST(YearMaxima, AYearWithoutAMonthIsNotComplete) {
+  const StepClock clock{parse_utc("2001-01-01T00:00:00Z"), std::chrono::hours(24), 365};
+  std::vector<double> values(clock.steps, 1);
+  std::fill_n(values.begin(), 15, nan);
+  EXPECT_EQ(year_maxima(values, clock).size(), 1U);
+  std::fill_n(values.begin(), 16, nan);  // 349 of 365 days are known, 15 of January
+  EXPECT_EQ(year_maxima(values, clock).size(), 0U);
 }
 
 /// Storms of one step, as many as a Poisson number of so many a year, with Pareto peaks.
@@ -249,6 +261,32 @@ TEST(StormExtremes, WhatIsTooShortIsRefused) {
   std::fill_n(thin.begin(), 3 * 8766, nan);
   EXPECT_NEAR(extremes_of(thin, longer.clock, {}).years_known, 2, 0.001);
   EXPECT_EQ(extremes_of(thin, longer.clock, {}).no_peaks, NoPeaks::short_history);
+}
+
+/// Twelve years, of which summers, or all but the Januaries, are known.
+TEST(StormExtremes, OfAPartOfTheYearAreNotThoseOfAYear) {
+  MadeUpSea sea = made_up_sea(12, {1.0, 0}, 4);
+  const auto without = [&](const auto& is_left_out) {
+    std::vector<double> values = sea.values;
+    for (const MonthSteps& month : months_of(sea.clock, std::nullopt))
+      if (is_left_out(month))
+        std::fill(values.begin() + static_cast<std::ptrdiff_t>(month.steps.begin),
+                  values.begin() + static_cast<std::ptrdiff_t>(month.steps.end), nan);
+    return extremes_of(values, sea.clock, {});
+  };
+  const Extremes summers =
+      without([](const MonthSteps& one) { return one.month < 5 || one.month > 9; });
+  EXPECT_EQ(summers.no_peaks, NoPeaks::seasons_missing);
+  EXPECT_EQ(summers.months_missing, (std::vector{1, 2, 3, 4, 10, 11, 12}));
+  EXPECT_FALSE(summers.peaks || summers.gumbel);
+  EXPECT_TRUE(summers.other_thresholds.empty());
+  const Extremes thin =
+      without([](const MonthSteps& one) { return one.month == 1 && one.year % 3 != 0; });
+  EXPECT_EQ(thin.months_missing, (std::vector{1}));
+  EXPECT_EQ(thin.maxima.size(), 4U);
+  const Extremes enough =
+      without([](const MonthSteps& one) { return one.month == 1 && one.year % 3 == 0; });
+  EXPECT_EQ(enough.no_peaks, NoPeaks::none);
 }
 
 TEST(StormExtremes, WhatComesMoreOftenThanStormsIsBelowTheThreshold) {
