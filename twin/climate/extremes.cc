@@ -122,6 +122,8 @@ std::optional<PeaksFit> peaks_fit(std::span<const StormPeak> peaks, double thres
   result.shape = interval_of(std::move(shapes));
   for (std::size_t v = 0; v < values.size(); ++v) {
     ReturnValue& one = result.returns[v];
+    if (one.support == ReturnSupport::supported && !result.is_good())
+      one.support = ReturnSupport::no_good_fit;
     if (one.support == ReturnSupport::supported && result.storms_per_year * one.years <= 1)
       one.support = ReturnSupport::below_threshold;
     if (one.support != ReturnSupport::supported) continue;
@@ -138,7 +140,8 @@ std::optional<MaximaFit> maxima_fit(const std::vector<double>& maxima, bool has_
   };
   const std::optional<ExtremeValue> fit = fitted(maxima);
   if (!fit) return std::nullopt;
-  MaximaFit result{*fit, asked(question, static_cast<double>(maxima.size()))};
+  MaximaFit result{*fit, *std::max_element(maxima.begin(), maxima.end()),
+                   asked(question, static_cast<double>(maxima.size()))};
   Rng random(question.seed, stream);
   std::vector<std::vector<double>> values(result.returns.size());
   std::vector<double> sample(maxima.size());
@@ -152,6 +155,8 @@ std::optional<MaximaFit> maxima_fit(const std::vector<double>& maxima, bool has_
   }
   for (std::size_t v = 0; v < values.size(); ++v) {
     ReturnValue& one = result.returns[v];
+    if (one.support == ReturnSupport::supported && !result.is_good())
+      one.support = ReturnSupport::no_good_fit;
     if (one.support != ReturnSupport::supported) continue;
     one.value = return_value(*fit, one.years);
     one.interval = interval_of(std::move(values[v]));
@@ -230,6 +235,7 @@ Extremes extremes_of(std::span<const double> values, const StepClock& clock,
     result.no_peaks = NoPeaks::all_alike;
     return result;
   }
+  if (!result.peaks->is_good()) result.no_peaks = NoPeaks::no_good_fit;
   result.other_thresholds.push_back(*result.peaks);
   for (const double factor : {2.0, 1.6, 1.25, 0.8, 0.6, 0.4}) {
     const Tried* other = thresholds.with(factor * result.peaks->storms_per_year);

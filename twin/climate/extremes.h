@@ -30,6 +30,8 @@ inline constexpr double month_share = 0.5;             ///< and of each of its m
 /// A return value is answered up to so many times the history: the old rule of metocean practice is
 /// three to four.
 inline constexpr double most_histories = 4;
+/// From here on a fit by moments means nothing: its law has no variance (extreme_value.h).
+inline constexpr double most_shape = 0.5;
 
 /// From the 5th to the 95th percentile of the resamples.
 struct Interval90 {
@@ -39,8 +41,9 @@ struct Interval90 {
 
 enum class ReturnSupport {
   supported,
-  beyond_history,  ///< more than `most_histories` times the history
-  below_threshold  ///< so common that storms above the threshold do not tell it
+  beyond_history,   ///< more than `most_histories` times the history
+  below_threshold,  ///< so common that storms above the threshold do not tell it
+  no_good_fit       ///< the fit is not `is_good`
 };
 
 /// What is exceeded once in so many years on average.
@@ -55,13 +58,17 @@ struct ReturnValue {
 struct PeaksFit {
   /// Above it the fit has nothing; infinite for a shape of 0 and above.
   [[nodiscard]] double upper_end() const noexcept { return threshold + fit.greatest(); }
+  /// Whether what was seen is possible by the fit, and its moments are there to fit it by.
+  [[nodiscard]] bool is_good() const noexcept {
+    return fit.shape < most_shape && upper_end() >= greatest_seen;
+  }
 
   double threshold = 0;
   std::size_t storms = 0;
   double storms_per_year = 0;  ///< of what is known
   Pareto fit{};
   Interval90 shape{};
-  double greatest_seen = 0;  ///< of the storms: a fit that ends below it is a bad one
+  double greatest_seen = 0;  ///< of the storms
   std::vector<ReturnValue> returns;
 };
 
@@ -73,7 +80,12 @@ struct YearMaximum {
 
 /// One distribution of the maxima of years.
 struct MaximaFit {
+  [[nodiscard]] bool is_good() const noexcept {
+    return fit.shape < most_shape && fit.greatest() >= greatest_seen;
+  }
+
   ExtremeValue fit{};
+  double greatest_seen = 0;
   std::vector<ReturnValue> returns;
 };
 
@@ -82,7 +94,8 @@ enum class NoPeaks {
   short_history,    ///< less than `least_years`
   seasons_missing,  ///< a month of the year is unknown, or thin (known_months.h)
   few_storms,       ///< fewer than `least_storms` over the threshold
-  all_alike         ///< no two values differ
+  all_alike,        ///< no two peaks differ
+  no_good_fit       ///< `peaks` is there, but not `is_good`, and has no return value
 };
 
 /// The extremes of a series.

@@ -23,7 +23,7 @@ namespace slackwater::api {
 /// Which months a part knows nothing of, or little, a note each.
 [[nodiscard]] std::vector<std::string> month_notes(const ClimatePart& part);
 
-/// Why there are no peaks over a threshold; empty where there are.
+/// Why there are no return values of peaks over a threshold; empty where there are.
 [[nodiscard]] std::string no_peaks_text(const twin::Extremes& extremes);
 /// Why there are no maxima of years, or no shape of theirs; empty where there are.
 [[nodiscard]] std::string no_gumbel_text(const twin::Extremes& extremes);

@@ -100,6 +100,8 @@ std::string return_text(const twin::ReturnValue& one) {
       return formatted("{:.2f} ({:.2f}-{:.2f})", one.value, one.interval.low, one.interval.high);
     case twin::ReturnSupport::beyond_history:
       return "not supported";
+    case twin::ReturnSupport::no_good_fit:
+      return "no good fit";
     case twin::ReturnSupport::below_threshold:
       break;
   }
@@ -135,13 +137,13 @@ std::string thresholds_text(const twin::Extremes& extremes, const std::string& u
   return text;
 }
 
-/// Where the fit ends, and whether it ends too soon.
-std::string end_text(const twin::PeaksFit& peaks) {
-  if (!(peaks.fit.shape < 0)) return "";
-  return formatted(", so nothing above {:.2f}", peaks.upper_end()) +
-         (peaks.upper_end() < peaks.greatest_seen
-              ? formatted(", though {:.2f} was seen: do not use it", peaks.greatest_seen)
-              : "");
+/// What is wrong with a fit that is not good.
+std::string bad_fit_text(double shape, double upper_end, double greatest_seen) {
+  if (shape >= twin::most_shape)
+    return formatted("no good fit, its shape is {:.2f}: from {:g} on it tells nothing", shape,
+                     twin::most_shape);
+  return formatted("no good fit, it has nothing above {:.2f}, and {:.2f} was seen", upper_end,
+                   greatest_seen);
 }
 
 /// What standards mean by their values of fifty years.
@@ -192,7 +194,8 @@ std::string extremes_text(const ClimateKind& kind, const twin::Extremes& extreme
                         std::max(question.storms.storms_per_year,
                                  static_cast<double>(twin::least_storms) / extremes.years_known)),
         peaks.storms, extremes.separation_h, peaks.storms_per_year, peaks.fit.scale,
-        peaks.fit.shape, peaks.shape.low, peaks.shape.high, end_text(peaks));
+        peaks.fit.shape, peaks.shape.low, peaks.shape.high,
+        peaks.fit.shape < 0 ? formatted(", so nothing above {:.2f}", peaks.upper_end()) : "");
     text += "  method: " + peaks_method() + "\n" + thresholds_text(extremes, kind.unit);
   }
   for (const std::string& why : {no_gumbel_text(extremes), no_shape_text(extremes)})
@@ -318,7 +321,12 @@ std::string no_peaks_text(const twin::Extremes& extremes) {
           "a lower --threshold, more --storms-per-year or a shorter --separation.",
           counted(extremes.storms_found, "storm"), extremes.separation_h, twin::least_storms);
     case twin::NoPeaks::all_alike:
-      return "no extremes from storms: all values are alike.";
+      return "no extremes from storms: no two peaks differ.";
+    case twin::NoPeaks::no_good_fit:
+      return "no extremes from storms: " +
+             bad_fit_text(extremes.peaks->fit.shape, extremes.peaks->upper_end(),
+                          extremes.peaks->greatest_seen) +
+             "; see other thresholds.";
     case twin::NoPeaks::none:
       break;
   }
@@ -334,6 +342,9 @@ std::string no_gumbel_text(const twin::Extremes& extremes) {
 }
 
 std::string no_shape_text(const twin::Extremes& extremes) {
+  if (const auto& fit = extremes.extreme_value; fit && !fit->is_good())
+    return "no generalised extreme value: " +
+           bad_fit_text(fit->fit.shape, fit->fit.greatest(), fit->greatest_seen) + ".";
   if (extremes.extreme_value || !extremes.gumbel) return "";
   return formatted("no generalised extreme value: {} complete, expected {} at least for a shape.",
                    counted(extremes.maxima.size(), "year"), twin::least_shape_years);

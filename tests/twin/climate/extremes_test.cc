@@ -289,6 +289,48 @@ TEST(StormExtremes, OfAPartOfTheYearAreNotThoseOfAYear) {
   EXPECT_EQ(enough.no_peaks, NoPeaks::none);
 }
 
+/// A heavy tail has no moments to fit it by; one that ends below a storm that came is wrong.
+TEST(StormExtremes, AFitThatIsNotGoodHasNoValue) {
+  ExtremesQuestion question;
+  question.return_years = {10};
+  std::vector<StormPeak> peaks;
+  const Pareto heavy{1, 0.8};
+  for (int i = 0; i < 100; ++i) peaks.push_back({0, 4 + heavy.exceeded_with((i + 0.5) / 100)});
+  const auto without_variance = peaks_fit(peaks, 4, 20, question);
+  ASSERT_TRUE(without_variance);
+  EXPECT_GE(without_variance->fit.shape, most_shape);
+  EXPECT_EQ(without_variance->returns[0].support, ReturnSupport::no_good_fit);
+  // Nearly even excesses have a shape near -1 and an end near the greatest: one beyond it.
+  peaks.clear();
+  for (int i = 0; i < 100; ++i) peaks.push_back({0, 4 + (i + 0.5) / 100});
+  peaks.push_back({0, 5.1});
+  const auto ends_too_soon = peaks_fit(peaks, 4, 20, question);
+  ASSERT_TRUE(ends_too_soon);
+  EXPECT_LT(ends_too_soon->upper_end(), 5.1);
+  EXPECT_EQ(ends_too_soon->returns[0].support, ReturnSupport::no_good_fit);
+  EXPECT_EQ(ends_too_soon->returns[0].value, 0);
+  std::vector<double> maxima;
+  for (int i = 0; i < 100; ++i) maxima.push_back((i + 0.5) / 100);
+  maxima.push_back(2);
+  const auto of_years = maxima_fit(maxima, true, question);
+  ASSERT_TRUE(of_years);
+  EXPECT_LT(of_years->fit.greatest(), 2);
+  EXPECT_EQ(of_years->returns[0].support, ReturnSupport::no_good_fit);
+}
+
+TEST(StormExtremes, OfAFitThatIsNotGoodOtherThresholdsAreLeft) {
+  const MadeUpSea sea = made_up_sea(20, {0.3, 0.9}, 5);
+  ExtremesQuestion question;
+  question.threshold = 4;
+  question.return_years = {1, 10};
+  const Extremes found = extremes_of(sea.values, sea.clock, question);
+  ASSERT_EQ(found.no_peaks, NoPeaks::no_good_fit);
+  ASSERT_TRUE(found.peaks);
+  for (const PeaksFit& one : found.other_thresholds)
+    for (const ReturnValue& value : one.returns)
+      EXPECT_EQ(value.support == ReturnSupport::no_good_fit, !one.is_good()) << one.threshold;
+}
+
 TEST(StormExtremes, WhatComesMoreOftenThanStormsIsBelowTheThreshold) {
   const MadeUpSea sea = made_up_sea(12, {1.0, 0}, 4);
   ExtremesQuestion question;
