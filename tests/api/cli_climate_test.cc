@@ -225,7 +225,7 @@ TEST_F(ClimateCommand, ExtremesSayMethodThresholdAndWhatIsNotSupported) {
   EXPECT_EQ(extremes.at("annual_maxima").size(), 12U);
   EXPECT_EQ(extremes.at("gumbel").at("why_not"), nullptr);
   EXPECT_TRUE(contains(extremes.at("gev").at("why_not").get<std::string>(), "expected 20"));
-  EXPECT_EQ(answer({file, "--extremes", "--return-period", "1,10,100"}), found);
+  EXPECT_EQ(answer({file, "--extremes", "--return-period", "10,100,1,10"}), found);
   const ProgramResult told = run({file, "--extremes"});
   for (const char* words :
        {"Hosking and Wallis 1987", "Coles 2001", "not supported", "storms at least 48 h apart",
@@ -273,7 +273,8 @@ TEST_F(ClimateCommand, WhatMakesNoSenseIsRefusedInOneLine) {
   expect_refused({file, "--calm", "wind=1,2"}, 2, {"2 numbers", "expected one"});
   expect_refused({file, "--calm", "period=1"}, 2, {"--calm of period"});
   expect_refused({file, "--calm", "wind=5"}, 3, {"above 5", "--calm"});
-  expect_refused({file, "--return-period", "0"}, 2, {"--return-period 0"});
+  for (const char* years : {"0", "0.01", "-1", "nan", "inf", "10001"})
+    expect_refused({file, "--return-period", years}, 2, {"--return-period", "0.1 to 10000"});
   expect_refused({file, "--separation", "0h"}, 2, {"--separation 0h"});
   expect_refused({file, "--from", "2003-01-01"}, 4, {"--from"});
 }

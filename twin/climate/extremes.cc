@@ -157,6 +157,8 @@ std::optional<MaximaFit> maxima_fit(const std::vector<double>& maxima, bool has_
     ReturnValue& one = result.returns[v];
     if (one.support == ReturnSupport::supported && !result.is_good())
       one.support = ReturnSupport::no_good_fit;
+    if (one.support == ReturnSupport::supported && one.years < 1)
+      one.support = ReturnSupport::below_year;
     if (one.support != ReturnSupport::supported) continue;
     one.value = return_value(*fit, one.years);
     one.interval = interval_of(std::move(values[v]));

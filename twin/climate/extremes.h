@@ -43,6 +43,7 @@ enum class ReturnSupport {
   supported,
   beyond_history,   ///< more than `most_histories` times the history
   below_threshold,  ///< so common that storms above the threshold do not tell it
+  below_year,       ///< less than a year, which maxima of years do not tell
   no_good_fit       ///< the fit is not `is_good`
 };
 
@@ -118,7 +119,7 @@ struct Extremes {
 ///   x(T) not exceeded with exp(-1 / T)            maxima of years
 ///
 /// Both mean the same T: the mean time between exceedances. A maximum's usual 1 - 1/T differs from
-/// exp(-1/T) for short T alone.
+/// exp(-1/T) for short T alone. Of less than a year maxima of years say nothing: the storms do.
 ///
 /// Intervals by the parametric bootstrap: samples drawn from the fit, as many storms as a Poisson
 /// number, fitted again. They know the scatter of the sample, not that the fit may be the wrong

@@ -277,6 +277,12 @@ ClimateNumbers parse_climate_number(const std::string& text) {
   return numbers;
 }
 
+std::vector<double> return_periods(std::vector<double> years) {
+  std::sort(years.begin(), years.end());
+  years.erase(std::unique(years.begin(), years.end()), years.end());
+  return years;
+}
+
 WantedSeries wanted_by(const ClimateQuestion& question) {
   WantedSeries wanted;
   for (const ClimateOf of : question.of) wanted.if_there.push_back(kind_of(of).size_name);

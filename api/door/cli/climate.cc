@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "api/door/cli/history_options.h"
@@ -76,12 +75,12 @@ ClimateQuestion question_of(const ClimateArguments& arguments) {
   expect_no_period("--calm", question.calms);
   expect_no_period("--threshold", question.thresholds);
   if (!arguments.return_years.empty()) {
-    question.storms.return_years = arguments.return_years;
-    std::sort(question.storms.return_years.begin(), question.storms.return_years.end());
-    for (const double years : question.storms.return_years)
-      if (!(years > 0) || !std::isfinite(years))
+    for (const double years : arguments.return_years)
+      if (!(years >= least_return_years && years <= most_return_years))
         throw Error(ErrorKind::usage,
-                    formatted("found --return-period {:g}, expected years above 0", years));
+                    formatted("found --return-period {:g}, expected {:g} to {:g} years", years,
+                              least_return_years, most_return_years));
+    question.storms.return_years = return_periods(arguments.return_years);
   }
   if (!arguments.separation.empty()) {
     question.separation = option_value("--separation", arguments.separation, parse_duration);

@@ -52,6 +52,8 @@ const char* reason_of(twin::ReturnSupport support) {
       return "beyond_history";
     case twin::ReturnSupport::below_threshold:
       return "below_threshold";
+    case twin::ReturnSupport::below_year:
+      return "below_year";
     case twin::ReturnSupport::no_good_fit:
       return "no_good_fit";
     case twin::ReturnSupport::supported:

@@ -100,6 +100,8 @@ std::string return_text(const twin::ReturnValue& one) {
       return formatted("{:.2f} ({:.2f}-{:.2f})", one.value, one.interval.low, one.interval.high);
     case twin::ReturnSupport::beyond_history:
       return "not supported";
+    case twin::ReturnSupport::below_year:
+      return "below a year";
     case twin::ReturnSupport::no_good_fit:
       return "no good fit";
     case twin::ReturnSupport::below_threshold:

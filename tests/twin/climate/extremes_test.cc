@@ -340,5 +340,20 @@ TEST(StormExtremes, WhatComesMoreOftenThanStormsIsBelowTheThreshold) {
   EXPECT_EQ(found.peaks->returns[1].support, ReturnSupport::supported);
 }
 
+/// exp(-1/T) falls to nothing below a year, where a Gumbel has no end downwards.
+TEST(StormExtremes, MaximaOfYearsDoNotTellLessThanAYear) {
+  const MadeUpSea sea = made_up_sea(22, {1.0, 0}, 4);
+  ExtremesQuestion question;
+  question.return_years = {0.1, 0.99, 1};
+  const Extremes found = extremes_of(sea.values, sea.clock, question);
+  ASSERT_TRUE(found.gumbel && found.extreme_value);
+  for (const auto* fit : {&*found.gumbel, &*found.extreme_value}) {
+    EXPECT_EQ(fit->returns[0].support, ReturnSupport::below_year);
+    EXPECT_EQ(fit->returns[1].support, ReturnSupport::below_year);
+    EXPECT_EQ(fit->returns[2].support, ReturnSupport::supported);
+    EXPECT_DOUBLE_EQ(fit->returns[2].value, fit->fit.location);
+  }
+}
+
 }  // namespace
 }  // namespace slackwater::twin::extremes_test
