@@ -135,6 +135,7 @@ json part_json(const ClimatePart& part, const ClimateQuestion& question, const H
       {"standard_name", kind.size_name},
       {"series", history.series[part.series].name},
       {"unit", kind.unit},
+      {"own_step_h", hours_of(history.regular.own_step[part.series])},
       {"known_steps", part.known.all.known},
       {"missing_steps", part.known.all.steps - part.known.all.known},
       {"coverage_by_month", std::move(by_month)},

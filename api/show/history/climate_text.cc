@@ -57,11 +57,13 @@ std::string spread_text(const ClimatePart& part, const History& history) {
   const ClimateSpread& spread = part.spread;
   const std::string& series = history.series[part.series].name;
   return formatted(
-      "\n{}: {}, {}{}\n  mean {:.2f}; half of the time at most {:.2f}, 9 in 10 at most {:.2f}, 99 "
+      "\n{}: {}, {}{}, a value every {:g} h\n  mean {:.2f}; half of the time at most {:.2f}, 9 in "
+      "10 at most {:.2f}, 99 "
       "in "
       "100 at most {:.2f}; greatest {:.2f}, {}\n",
       sentence(kind.word).substr(0, kind.word.size()), kind.size_name, kind.unit,
-      series == kind.size_name ? "" : " (" + series + ")", spread.mean, spread.p50, spread.p90,
+      series == kind.size_name ? "" : " (" + series + ")",
+      hours_of(history.regular.own_step[part.series]), spread.mean, spread.p50, spread.p90,
       spread.p99, spread.greatest, format_utc(history.regular.clock.time_of(spread.greatest_step)));
 }
 
@@ -360,7 +362,8 @@ std::string climate_text(const History& history, const ClimateQuestion& question
     text += spread_text(part, history);
     if (part.rose) text += rose_text(kind, *part.rose);
     if (part.extremes)
-      text += extremes_text(kind, *part.extremes, question, history.regular.clock.step_h());
+      text += extremes_text(kind, *part.extremes, question,
+                            hours_of(history.regular.own_step[part.series]));
   }
   for (const auto* scatter : {&answer.by_period, &answer.by_sector})
     if (*scatter) text += scatter_text(**scatter);
