@@ -237,6 +237,19 @@ TEST_F(ClimateCommand, ExtremesSayMethodThresholdAndWhatIsNotSupported) {
   EXPECT_EQ(asked.at("parts").at(0).at("extremes").at("separation_h"), 72);
 }
 
+/// Four values in thirty years.
+TEST_F(ClimateCommand, ValuesOfDecadesHaveNoExtremes) {
+  const std::string file =
+      store_.write("decades.csv",
+                   "time,wind_speed\n1970-01-01T00:00Z,5\n1980-01-01T00:00Z,7\n"
+                   "1989-12-31T00:00Z,6\n1999-12-31T00:00Z,9\n");
+  const json extremes = answer({file, "--extremes"}).at("parts").at(0).at("extremes");
+  EXPECT_TRUE(extremes.at("annual_maxima").empty());
+  for (const char* way : {"peaks", "gumbel", "gev"})
+    EXPECT_TRUE(contains(extremes.at(way).at("why_not").get<std::string>(),
+                         "a value holds 87648 h, expected at most 6 h"));
+}
+
 TEST_F(ClimateCommand, EachSeriesHasItsOwnStep) {
   std::string waves = "time," + height + "\n";
   for (int i = 0; i < 8; ++i)

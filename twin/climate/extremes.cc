@@ -198,6 +198,12 @@ Extremes extremes_of(std::span<const double> values, const StepClock& clock,
   const KnownMonths known = known_months(values, months_of(clock, std::nullopt));
   result.years_known = static_cast<double>(known.all.known) * clock.step_h() / hours_of_year;
   result.separation_h = static_cast<double>(question.separation_steps) * clock.step_h();
+  const Duration value_step = std::max(clock.step, question.value_step);
+  result.value_step_h = hours_of(value_step);
+  if (value_step > longest_step || result.value_step_h > result.separation_h) {
+    result.no_peaks = NoPeaks::coarse_steps;
+    return result;
+  }
   result.maxima = year_maxima(values, clock);
   std::vector<double> maxima;
   for (const YearMaximum& one : result.maxima) maxima.push_back(one.value);

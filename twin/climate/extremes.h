@@ -16,6 +16,8 @@ struct ExtremesQuestion {
   std::optional<double> threshold;  ///< absent: the greatest with so many storms a year
   double storms_per_year = 5;
   std::size_t separation_steps = 48;
+  Duration value_step{
+      0};  ///< how long a value of the series holds, if longer than the clock's step
   std::size_t resamples = 1000;  ///< of the bootstrap
   std::uint64_t seed = 1;
 };
@@ -27,6 +29,8 @@ inline constexpr std::size_t least_gumbel_years = 10;  ///< complete, for maxima
 inline constexpr std::size_t least_shape_years = 20;   ///< for a shape of their own
 inline constexpr double complete_share = 0.9;          ///< known of a year that is complete
 inline constexpr double month_share = 0.5;             ///< and of each of its months
+/// A value holds no longer: the peaks of storms are lost in means of days and months.
+inline constexpr Duration longest_step = std::chrono::hours(6);
 /// A return value is answered up to so many times the history: the old rule of metocean practice is
 /// three to four.
 inline constexpr double most_histories = 4;
@@ -92,6 +96,7 @@ struct MaximaFit {
 
 enum class NoPeaks {
   none,             ///< there is a fit
+  coarse_steps,     ///< values hold longer than `longest_step` or the separation; no maxima either
   short_history,    ///< less than `least_years`
   seasons_missing,  ///< a month of the year is unknown, or thin (known_months.h)
   few_storms,       ///< fewer than `least_storms` over the threshold
@@ -106,6 +111,7 @@ struct Extremes {
   std::vector<int> months_missing;  ///< 1 to 12: those of `seasons_missing`
   std::size_t storms_found = 0;     ///< over the threshold, or over the best of all that were tried
   double separation_h = 0;
+  double value_step_h = 0;
   std::optional<PeaksFit> peaks;
   std::vector<PeaksFit> other_thresholds;  ///< ascending, that of `peaks` among them
   std::vector<YearMaximum> maxima;         ///< of the years that are complete

@@ -143,7 +143,7 @@ class Climate {
       if (const auto direction = expected(kind.direction_name, "rose of " + kind.word))
         part.rose = rose(kind, size, *direction);
     }
-    if (question_.extremes) part.extremes = extremes(kind, values);
+    if (question_.extremes) part.extremes = extremes(kind, size, values);
     answer_.parts.push_back(std::move(part));
   }
 
@@ -169,11 +169,12 @@ class Climate {
     return found;
   }
 
-  [[nodiscard]] twin::Extremes extremes(const ClimateKind& kind,
+  [[nodiscard]] twin::Extremes extremes(const ClimateKind& kind, std::size_t size,
                                         const std::vector<double>& values) const {
     const StepClock& clock = history_.regular.clock;
     twin::ExtremesQuestion asked = question_.storms;
     asked.separation_steps = twin::steps_needed(question_.separation, clock.step);
+    asked.value_step = history_.regular.own_step[size];
     if (const ClimateNumbers* stated = stated_of(kind.of, question_.thresholds)) {
       const auto unit =
           ingest::unit_conversion(stated->unit, kind.unit, "--threshold " + kind.word);

@@ -52,7 +52,7 @@ struct ClimateQuestion {
   std::vector<ClimateNumbers> calms;
   std::vector<ClimateNumbers> thresholds;
   Duration separation = std::chrono::hours(48);
-  twin::ExtremesQuestion storms;  ///< thresholds and the separation are those above
+  twin::ExtremesQuestion storms;  ///< thresholds, separation and steps are those above
 };
 
 // Return periods that may be asked for, years.

@@ -109,17 +109,18 @@ json extremes_json(const twin::Extremes& extremes, const ClimateQuestion& questi
   for (const twin::YearMaximum& one : extremes.maxima)
     maxima.push_back(
         {{"year", one.year}, {"value", one.value}, {"time", format_utc(clock.time_of(one.step))}});
-  return {
-      {"years_known", extremes.years_known},
-      {"separation_h", extremes.separation_h},
-      {"peaks", std::move(peaks)},
-      {"thresholds", std::move(thresholds)},
-      {"annual_maxima", std::move(maxima)},
-      {"gumbel", maxima_json(extremes.gumbel, no_gumbel_text(extremes), gumbel_method())},
-      {"gev", maxima_json(extremes.extreme_value, no_shape_text(extremes), extreme_value_method())},
-      {"interval_method", interval_method(question)},
-      {"resamples", question.storms.resamples},
-      {"seed", question.storms.seed}};
+  return {{"years_known", extremes.years_known},
+          {"separation_h", extremes.separation_h},
+          {"peaks", std::move(peaks)},
+          {"thresholds", std::move(thresholds)},
+          {"annual_maxima", std::move(maxima)},
+          {"gumbel", maxima_json(extremes.gumbel, no_gumbel_text(extremes), gumbel_method())},
+          {"gev", maxima_json(extremes.extreme_value,
+                              extremes.gumbel ? no_shape_text(extremes) : no_gumbel_text(extremes),
+                              extreme_value_method())},
+          {"interval_method", interval_method(question)},
+          {"resamples", question.storms.resamples},
+          {"seed", question.storms.seed}};
 }
 
 json part_json(const ClimatePart& part, const ClimateQuestion& question, const History& history) {

@@ -58,9 +58,7 @@ std::string spread_text(const ClimatePart& part, const History& history) {
   const std::string& series = history.series[part.series].name;
   return formatted(
       "\n{}: {}, {}{}, a value every {:g} h\n  mean {:.2f}; half of the time at most {:.2f}, 9 in "
-      "10 at most {:.2f}, 99 "
-      "in "
-      "100 at most {:.2f}; greatest {:.2f}, {}\n",
+      "10 at most {:.2f}, 99 in 100 at most {:.2f}; greatest {:.2f}, {}\n",
       sentence(kind.word).substr(0, kind.word.size()), kind.size_name, kind.unit,
       series == kind.size_name ? "" : " (" + series + ")",
       hours_of(history.regular.own_step[part.series]), spread.mean, spread.p50, spread.p90,
@@ -150,6 +148,13 @@ std::string bad_fit_text(double shape, double upper_end, double greatest_seen) {
                    greatest_seen);
 }
 
+std::string coarse_text(const twin::Extremes& extremes) {
+  return formatted(
+      "a value holds {:g} h, expected at most {:g} h and the separation of {:g} h: peaks are lost "
+      "in what is coarser.",
+      extremes.value_step_h, hours_of(twin::longest_step), extremes.separation_h);
+}
+
 /// What standards mean by their values of fifty years.
 std::string average_text(ClimateOf of, double step_h) {
   const std::string own =
@@ -161,7 +166,7 @@ std::string average_text(ClimateOf of, double step_h) {
 }
 
 std::string extremes_text(const ClimateKind& kind, const twin::Extremes& extremes,
-                          const ClimateQuestion& question, double step_h) {
+                          const ClimateQuestion& question) {
   std::string text = formatted(
       "\n  extremes of {}, {}: what is exceeded once in so many years on average, with 90 % "
       "intervals\n",
@@ -212,7 +217,8 @@ std::string extremes_text(const ClimateKind& kind, const twin::Extremes& extreme
   }
   if (extremes.extreme_value) text += "  method: " + extreme_value_method() + "\n";
   if (extremes.peaks || extremes.gumbel)
-    text += "  intervals: " + interval_method(question) + "\n" + average_text(kind.of, step_h);
+    text += "  intervals: " + interval_method(question) + "\n" +
+            average_text(kind.of, extremes.value_step_h);
   return text;
 }
 
@@ -310,6 +316,8 @@ std::vector<std::string> month_notes(const ClimatePart& part) {
 
 std::string no_peaks_text(const twin::Extremes& extremes) {
   switch (extremes.no_peaks) {
+    case twin::NoPeaks::coarse_steps:
+      return "no extremes from storms: " + coarse_text(extremes);
     case twin::NoPeaks::short_history:
       return formatted(
           "no extremes from storms: {:.2f} years are known, and fewer than {:g} say nothing of "
@@ -339,6 +347,8 @@ std::string no_peaks_text(const twin::Extremes& extremes) {
 
 std::string no_gumbel_text(const twin::Extremes& extremes) {
   if (extremes.gumbel) return "";
+  if (extremes.no_peaks == twin::NoPeaks::coarse_steps)
+    return "no extremes from maxima of years: " + coarse_text(extremes);
   if (extremes.maxima.size() >= twin::least_gumbel_years)
     return "no extremes from maxima of years: all are alike.";
   return formatted("no extremes from maxima of years: {} complete, expected {} at least.",
@@ -361,9 +371,7 @@ std::string climate_text(const History& history, const ClimateQuestion& question
     const ClimateKind& kind = kind_of(part.of);
     text += spread_text(part, history);
     if (part.rose) text += rose_text(kind, *part.rose);
-    if (part.extremes)
-      text += extremes_text(kind, *part.extremes, question,
-                            hours_of(history.regular.own_step[part.series]));
+    if (part.extremes) text += extremes_text(kind, *part.extremes, question);
   }
   for (const auto* scatter : {&answer.by_period, &answer.by_sector})
     if (*scatter) text += scatter_text(**scatter);

@@ -263,6 +263,28 @@ TEST(StormExtremes, WhatIsTooShortIsRefused) {
   EXPECT_EQ(extremes_of(thin, longer.clock, {}).no_peaks, NoPeaks::short_history);
 }
 
+/// Means of a month, on their own clock or laid on one of hours.
+TEST(StormExtremes, OfCoarseStepsThereAreNone) {
+  const StepClock months{parse_utc("1980-01-01T00:00:00Z"), std::chrono::minutes(43830), 360};
+  Rng random(6, "tests/coarse_steps");
+  std::vector<double> values(months.steps);
+  for (double& value : values) value = random.uniform(0.5, 2.5);
+  const Extremes found = extremes_of(values, months, {});
+  EXPECT_EQ(found.no_peaks, NoPeaks::coarse_steps);
+  EXPECT_FALSE(found.peaks || found.gumbel);
+  EXPECT_TRUE(found.maxima.empty());
+  const MadeUpSea sea = made_up_sea(12, {1.0, 0}, 4);
+  ExtremesQuestion question;
+  for (const auto& [hours, expected] :
+       {std::pair{6, NoPeaks::none}, std::pair{7, NoPeaks::coarse_steps}}) {
+    question.value_step = std::chrono::hours(hours);
+    EXPECT_EQ(extremes_of(sea.values, sea.clock, question).no_peaks, expected) << hours;
+  }
+  question.value_step = std::chrono::hours(3);
+  question.separation_steps = 2;
+  EXPECT_EQ(extremes_of(sea.values, sea.clock, question).no_peaks, NoPeaks::coarse_steps);
+}
+
 /// Twelve years, of which summers, or all but the Januaries, are known.
 TEST(StormExtremes, OfAPartOfTheYearAreNotThoseOfAYear) {
   MadeUpSea sea = made_up_sea(12, {1.0, 0}, 4);
