@@ -186,9 +186,10 @@ TEST_F(ClimateCommand, GapsAreToldByMonthAndAreNoCalms) {
   EXPECT_FALSE(contains(told.out, "storms over a threshold")) << told.out;
 }
 
-/// Twelve years of made-up storms: what is supported is told with an interval, the rest is not.
-TEST_F(ClimateCommand, ExtremesSayMethodThresholdAndWhatIsNotSupported) {
-  std::string text = "time," + height + "\n";
+/// Twelve years, six-hourly, with a storm every 12.2 days whose peak is 3 m and more, exponential.
+/// @param digits  of the heights, behind the point  @param per_m  units of a metre
+std::string twelve_years_of_storms(const std::string& column, int digits, double per_m) {
+  std::string text = "time," + column + "\n";
   unsigned random = 1;
   const auto uniform = [&] {
     random = random * 1664525U + 1013904223U;
@@ -197,13 +198,36 @@ TEST_F(ClimateCommand, ExtremesSayMethodThresholdAndWhatIsNotSupported) {
   UtcTime time = parse_utc("2000-01-01T00:00:00Z");
   for (int storm = 0; storm < 12 * 30; ++storm) {
     const double top = 3 - 0.8 * std::log(1 - uniform());
-    for (int step = 0; step < 49; ++step) {  // six-hourly, 12.2 days
+    for (int step = 0; step < 49; ++step) {
       const double now = std::abs(step - 20) < 4 ? top - 0.3 * std::abs(step - 20) : 1;
-      text += format_utc(time) + "," + formatted("{:.2f}", now) + "\n";
+      text += format_utc(time) + "," + formatted("{:.{}f}", now * per_m, digits) + "\n";
       time += std::chrono::hours(6);
     }
   }
-  const std::string file = store_.write("storms.csv", text);
+  return text;
+}
+
+/// Heights in centimetres, of which some are the threshold itself, however it is written.
+TEST_F(ClimateCommand, AThresholdIsTheSameInEachUnit) {
+  const std::string text = twelve_years_of_storms("Hs", 0, 100);
+  ASSERT_TRUE(contains(text, ",452\n"));
+  const std::string file = store_.write("cm.csv", text);
+  const auto peaks = [&](const std::string& threshold) {
+    return answer({file, "--column", "Hs=" + height + ":cm", "--extremes", "--threshold",
+                   "waves=" + threshold})
+        .at("parts")
+        .at(0)
+        .at("extremes")
+        .at("peaks");
+  };
+  const json in_metres = peaks("4.52 m");
+  EXPECT_EQ(in_metres, peaks("452 cm"));
+  EXPECT_EQ(in_metres, peaks("4520 mm"));
+}
+
+/// What is supported is told with an interval, the rest is not.
+TEST_F(ClimateCommand, ExtremesSayMethodThresholdAndWhatIsNotSupported) {
+  const std::string file = store_.write("storms.csv", twelve_years_of_storms(height, 2, 1));
   const json found = answer({file, "--extremes", "--return-period", "1,10,100"});
   const json& extremes = found.at("parts").at(0).at("extremes");
   const json& peaks = extremes.at("peaks");

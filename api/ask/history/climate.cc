@@ -176,9 +176,11 @@ class Climate {
     asked.separation_steps = twin::steps_needed(question_.separation, clock.step);
     asked.value_step = history_.regular.own_step[size];
     if (const ClimateNumbers* stated = stated_of(kind.of, question_.thresholds)) {
-      const auto unit =
-          ingest::unit_conversion(stated->unit, kind.unit, "--threshold " + kind.word);
-      asked.threshold = unit.scale * stated->values.front() + unit.offset;
+      // In the unit of the series first, then brought on as its values are, for equal to stay so.
+      const HistorySeries& series = history_.series[size];
+      const double bound = edges_on(series, {stated->values, stated->unit}, vocabulary_).front();
+      const auto unit = ingest::unit_conversion(series.unit, kind.unit, "'" + series.name + "'");
+      asked.threshold = unit.is_identity() ? bound : unit.scale * bound + unit.offset;
     }
     return twin::extremes_of(values, clock, asked);
   }
