@@ -255,6 +255,9 @@ TEST_F(ClimateCommand, ExtremesSayMethodThresholdAndWhatIsNotSupported) {
        {"Hosking and Wallis 1987", "Coles 2001", "not supported", "storms at least 48 h apart",
         "other thresholds", "parametric bootstrap, seed 1", "maxima of years: 2000 "})
     EXPECT_TRUE(contains(told.out, words)) << words << "\n" << told.out;
+  EXPECT_TRUE(contains(told.out, ", the greatest with 5 storms a year: "));
+  const ProgramResult many = run({file, "--extremes", "--storms-per-year", "100"});
+  EXPECT_TRUE(contains(many.out, ", with most storms: none has 100 a year: ")) << many.out;
   const json asked =
       answer({file, "--extremes", "--threshold", "waves=350 cm", "--separation", "3d"});
   EXPECT_EQ(asked.at("parts").at(0).at("extremes").at("peaks").at("threshold"), 3.5);

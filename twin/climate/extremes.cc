@@ -221,13 +221,14 @@ Extremes extremes_of(std::span<const double> values, const StepClock& clock,
     return result;
   }
   const Thresholds thresholds(values, result.years_known, question.separation_steps);
+  if (!question.threshold)
+    result.rate =
+        std::max(question.storms_per_year, static_cast<double>(least_storms) / result.years_known);
   Tried chosen;
   if (question.threshold) {
     chosen = {*question.threshold,
               storm_peaks(values, *question.threshold, question.separation_steps)};
-  } else if (const Tried* found = thresholds.with(
-                 std::max(question.storms_per_year,
-                          static_cast<double>(least_storms) / result.years_known))) {
+  } else if (const Tried* found = thresholds.with(result.rate)) {
     chosen = *found;
   } else {
     result.no_peaks = NoPeaks::all_alike;

@@ -106,10 +106,16 @@ enum class NoPeaks {
 
 /// The extremes of a series.
 struct Extremes {
+  /// Whether the threshold has as many storms as were looked for; else it is the one with most.
+  [[nodiscard]] bool has_rate() const noexcept {
+    return static_cast<double>(storms_found) >= rate * years_known;
+  }
+
   double years_known = 0;  ///< steps that are known, in years of 365.25 days
   NoPeaks no_peaks = NoPeaks::none;
   std::vector<int> months_missing;  ///< 1 to 12: those of `seasons_missing`
-  std::size_t storms_found = 0;     ///< over the threshold, or over the best of all that were tried
+  double rate = 0;  ///< storms a year that a threshold was looked for with; 0: it was given
+  std::size_t storms_found = 0;  ///< over the threshold, or over the best of all that were tried
   double separation_h = 0;
   double value_step_h = 0;
   std::optional<PeaksFit> peaks;

@@ -139,6 +139,14 @@ std::string thresholds_text(const twin::Extremes& extremes, const std::string& u
   return text;
 }
 
+/// By what the threshold is the one that it is.
+std::string chosen_text(const twin::Extremes& extremes) {
+  if (extremes.rate == 0) return ", as asked";
+  if (extremes.has_rate())
+    return formatted(", the greatest with {:.3g} storms a year", extremes.rate);
+  return formatted(", with most storms: none has {:.3g} a year", extremes.rate);
+}
+
 /// What is wrong with a fit that is not good.
 std::string bad_fit_text(double shape, double upper_end, double greatest_seen) {
   if (shape >= twin::most_shape)
@@ -194,16 +202,8 @@ std::string extremes_text(const ClimateKind& kind, const twin::Extremes& extreme
     text += formatted(
         "  threshold {:.3f} {}{}: {} storms at least {:g} h apart, {:.1f} a year; scale {:.3f}, "
         "shape {:.2f} ({:.2f} to {:.2f}){}\n",
-        peaks.threshold, kind.unit,
-        question.thresholds.end() !=
-                std::find_if(question.thresholds.begin(), question.thresholds.end(),
-                             [&](const ClimateNumbers& one) { return one.of == kind.of; })
-            ? ", as asked"
-            : formatted(", the greatest with {:g} storms a year",
-                        std::max(question.storms.storms_per_year,
-                                 static_cast<double>(twin::least_storms) / extremes.years_known)),
-        peaks.storms, extremes.separation_h, peaks.storms_per_year, peaks.fit.scale,
-        peaks.fit.shape, peaks.shape.low, peaks.shape.high,
+        peaks.threshold, kind.unit, chosen_text(extremes), peaks.storms, extremes.separation_h,
+        peaks.storms_per_year, peaks.fit.scale, peaks.fit.shape, peaks.shape.low, peaks.shape.high,
         peaks.fit.shape < 0 ? formatted(", so nothing above {:.2f}", peaks.upper_end()) : "");
     text += "  method: " + peaks_method() + "\n" + thresholds_text(extremes, kind.unit);
   }

@@ -186,15 +186,35 @@ TEST(StormExtremes, OfAMadeUpSeaAreThoseItWasMadeWith) {
       EXPECT_NEAR(other.returns[1].value, found.peaks->returns[1].value, 0.5) << other.threshold;
 }
 
-TEST(StormExtremes, AThresholdIsChosenByTheStormsOfAYear) {
+TEST(StormExtremes, AThresholdIsTheGreatestWithTheStormsOfAYear) {
   const MadeUpSea sea = made_up_sea(20, {1.0, 0}, 4);
-  ExtremesQuestion question;
+  const ExtremesQuestion question;
   const Extremes found = extremes_of(sea.values, sea.clock, question);
   ASSERT_TRUE(found.peaks);
+  EXPECT_TRUE(found.has_rate());
+  EXPECT_EQ(found.rate, 5);
   EXPECT_GE(found.peaks->storms_per_year, 5);
-  EXPECT_LE(found.peaks->storms_per_year, 6.5);
+  for (const double higher : possible_thresholds(sea.values)) {
+    if (higher > found.peaks->threshold)
+      EXPECT_LT(storm_peaks(sea.values, higher, question.separation_steps).size(), 100U) << higher;
+  }
   for (std::size_t i = 1; i < found.other_thresholds.size(); ++i)
     EXPECT_LT(found.other_thresholds[i - 1].threshold, found.other_thresholds[i].threshold);
+}
+
+/// Twelve storms a year are in it, and no threshold has three hundred that are two days apart.
+TEST(StormExtremes, ARateThatNoThresholdHasIsNotSaidToBeReached) {
+  const MadeUpSea sea = made_up_sea(20, {1.0, 0}, 4);
+  ExtremesQuestion question;
+  question.storms_per_year = 300;
+  const Extremes found = extremes_of(sea.values, sea.clock, question);
+  ASSERT_TRUE(found.peaks);
+  EXPECT_FALSE(found.has_rate());
+  for (const double other : possible_thresholds(sea.values))
+    EXPECT_LE(storm_peaks(sea.values, other, question.separation_steps).size(),
+              found.peaks->storms);
+  question.threshold = 4;
+  EXPECT_EQ(extremes_of(sea.values, sea.clock, question).rate, 0);
 }
 
 TEST(StormExtremes, TheSameSeedIsTheSameAnswer) {
