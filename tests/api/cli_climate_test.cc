@@ -258,6 +258,9 @@ TEST_F(ClimateCommand, ExtremesSayMethodThresholdAndWhatIsNotSupported) {
   EXPECT_TRUE(contains(told.out, ", the greatest with 5 storms a year: "));
   const ProgramResult many = run({file, "--extremes", "--storms-per-year", "100"});
   EXPECT_TRUE(contains(many.out, ", with most storms: none has 100 a year: ")) << many.out;
+  const ProgramResult low = run({file, "--extremes", "--threshold", "waves=0"});
+  EXPECT_TRUE(contains(low.out, "1 storm over the threshold")) << low.out;
+  EXPECT_TRUE(contains(low.out, "another --threshold (a low one joins storms")) << low.out;
   const json asked =
       answer({file, "--extremes", "--threshold", "waves=350 cm", "--separation", "3d"});
   EXPECT_EQ(asked.at("parts").at(0).at("extremes").at("peaks").at("threshold"), 3.5);

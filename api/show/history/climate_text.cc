@@ -329,8 +329,9 @@ std::string no_peaks_text(const twin::Extremes& extremes) {
              "part of the year are not those of a year.";
     case twin::NoPeaks::few_storms:
       return formatted(
-          "no extremes from storms: {} over the threshold, {:g} h apart, expected {} at least; say "
-          "a lower --threshold, more --storms-per-year or a shorter --separation.",
+          "no extremes from storms: {} over the threshold, {:g} h apart, expected {} at least; "
+          "say another --threshold (a low one joins storms, a high one has few), more "
+          "--storms-per-year or a shorter --separation.",
           counted(extremes.storms_found, "storm"), extremes.separation_h, twin::least_storms);
     case twin::NoPeaks::all_alike:
       return "no extremes from storms: no two peaks differ.";
