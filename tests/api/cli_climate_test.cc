@@ -344,6 +344,21 @@ TEST_F(ClimateCommand, ASeriesWithoutItsDirectionSaysSoAndIsNoRose) {
   EXPECT_TRUE(contains(found.at("notes").dump(), "found no wind_from_direction: no rose of wind"));
 }
 
+TEST_F(ClimateCommand, ATableThatNoStepFillsIsANote) {
+  const std::string head = height + "," + peak + "," + waves_from;
+  const auto notes = [&](const std::string& name, const std::string& columns,
+                         const std::vector<std::string>& rows) {
+    const json found = answer({store_.write(name, table(columns, rows)), "--scatter"});
+    EXPECT_EQ(found.at("height_by_direction"), nullptr) << found;
+    return found.at("notes").dump();
+  };
+  const std::string no_directions = "found no " + waves_from + ": no scatter of heights and";
+  EXPECT_TRUE(contains(notes("none.csv", height + "," + peak, {"2,7", "2,8"}), no_directions));
+  EXPECT_TRUE(contains(notes("nan.csv", head, {"2,7,", "2,8,"}), no_directions));
+  EXPECT_TRUE(contains(notes("apart.csv", head, {"2,7,", ",8,10"}),
+                       "found no step with a height of waves and " + waves_from));
+}
+
 TEST_F(ClimateCommand, AsksTheStoreAtASite) {
   store_.ingest_days(parse_day("2025-03-06"), 3);
   const json found = answer({"--site", store_.site(), "--depth", "10", "--roses", "--scatter"});

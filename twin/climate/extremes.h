@@ -16,8 +16,7 @@ struct ExtremesQuestion {
   std::optional<double> threshold;  ///< absent: the greatest with so many storms a year
   double storms_per_year = 5;
   std::size_t separation_steps = 48;
-  Duration value_step{
-      0};  ///< how long a value of the series holds, if longer than the clock's step
+  Duration value_step{0};        ///< how long a value holds, if longer than the clock's step
   std::size_t resamples = 1000;  ///< of the bootstrap
   std::uint64_t seed = 1;
 };

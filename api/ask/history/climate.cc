@@ -203,9 +203,9 @@ class Climate {
       found.counts =
           twin::scatter_of(heights, rows, history_.regular.values[*place],
                            edges_on(history_.series[*place], found.periods, vocabulary_));
-      answer_.by_period = std::move(found);
+      answer_.by_period = with_steps(std::move(found), period.size_name);
     }
-    if (!place_of(waves.direction_name, history_)) return;  // as the rose has told
+    if (!expected(waves.direction_name, "scatter of heights and directions")) return;
     ClimateScatter found;
     found.heights = height_edges;
     found.sectors = question_.sectors;
@@ -217,7 +217,14 @@ class Climate {
     std::vector<double> columns;
     for (std::size_t s = 1; s < question_.sectors; ++s) columns.push_back(static_cast<double>(s));
     found.counts = twin::scatter_of(heights, rows, sector, columns);
-    answer_.by_sector = std::move(found);
+    answer_.by_sector = with_steps(std::move(found), waves.direction_name);
+  }
+
+  /// A table, or a note where no step knows both.
+  std::optional<ClimateScatter> with_steps(ClimateScatter found, const std::string& name) {
+    if (found.counts.known > 0) return found;
+    answer_.notes.push_back("found no step with a height of waves and " + name + ": no scatter");
+    return std::nullopt;
   }
 
   const History& history_;
