@@ -337,6 +337,28 @@ TEST_F(ClimateCommand, WhatMakesNoSenseIsRefusedInOneLine) {
   expect_refused({file, "--from", "2003-01-01"}, 4, {"--from"});
 }
 
+/// What an option asks for in vain would be taken as heard.
+TEST_F(ClimateCommand, OptionsWithoutEffectAreRefused) {
+  const std::string file =
+      store_.write("wind.csv", table("wind_speed,wind_from_direction", {"5,10", "6,20", "7,30"}));
+  const std::vector<std::pair<Arguments, std::string>> cases{
+      {{"--roses", "--threshold", "wind=15"}, "found --threshold without --extremes"},
+      {{"--roses", "--seed", "3"}, "found --seed without --extremes"},
+      {{"--scatter", "--separation", "12h"}, "found --separation without --extremes"},
+      {{"--extremes", "--sectors", "8"}, "found --sectors without --roses or --scatter"},
+      {{"--extremes", "--calm", "wind=1"}, "found --calm of wind"},
+      {{"--scatter", "--classes", "wind=4,8"}, "found --classes of wind"},
+      {{"--roses", "--classes", "period=4,8"}, "found --classes of period"},
+      {{"--of", "wind", "--threshold", "waves=4"}, "found --threshold of waves"},
+      {{"--threshold", "waves=4"}, "found --threshold of waves, and no waves in the series"},
+      {{"--classes", "current=1"}, "found --classes of current, and no current in the series"}};
+  for (const auto& [options, words] : cases) {
+    Arguments all{file};
+    all.insert(all.end(), options.begin(), options.end());
+    expect_refused(all, 2, {words});
+  }
+}
+
 TEST_F(ClimateCommand, ASeriesWithoutItsDirectionSaysSoAndIsNoRose) {
   const std::string file = store_.write("wind.csv", table("wind_speed", {"5", "6", "7"}));
   const json found = answer({file});
