@@ -199,6 +199,7 @@ Extremes extremes_of(std::span<const double> values, const StepClock& clock,
   result.years_known = static_cast<double>(known.all.known) * clock.step_h() / hours_of_year;
   result.separation_h = static_cast<double>(question.separation_steps) * clock.step_h();
   const Duration value_step = std::max(clock.step, question.value_step);
+  result.step_h = clock.step_h();
   result.value_step_h = hours_of(value_step);
   if (value_step > longest_step || result.value_step_h > result.separation_h) {
     result.no_peaks = NoPeaks::coarse_steps;

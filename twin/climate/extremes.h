@@ -116,7 +116,8 @@ struct Extremes {
   double rate = 0;  ///< storms a year that a threshold was looked for with; 0: it was given
   std::size_t storms_found = 0;  ///< over the threshold, or over the best of all that were tried
   double separation_h = 0;
-  double value_step_h = 0;
+  double step_h = 0;        ///< of the clock
+  double value_step_h = 0;  ///< of the series' own values
   std::optional<PeaksFit> peaks;
   std::vector<PeaksFit> other_thresholds;  ///< ascending, that of `peaks` among them
   std::vector<YearMaximum> maxima;         ///< of the years that are complete

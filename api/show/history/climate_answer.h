@@ -20,8 +20,9 @@ namespace slackwater::api {
 [[nodiscard]] std::string extreme_value_method();
 [[nodiscard]] std::string interval_method(const ClimateQuestion& question);
 
-/// Which months a part knows nothing of, or little, a note each.
-[[nodiscard]] std::vector<std::string> month_notes(const ClimatePart& part);
+/// What to know of a part: of which months nothing is known, or little, and where one storm is the
+/// maximum of two years.
+[[nodiscard]] std::vector<std::string> part_notes(const ClimatePart& part);
 
 /// Why there are no return values of peaks over a threshold; empty where there are.
 [[nodiscard]] std::string no_peaks_text(const twin::Extremes& extremes);

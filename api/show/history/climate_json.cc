@@ -193,7 +193,7 @@ json climate_json(const History& history, const ClimateQuestion& question,
                    {"notes", history.notes}};
   for (const ClimatePart& part : answer.parts) {
     document["parts"].push_back(part_json(part, question, history));
-    for (const std::string& note : month_notes(part)) document["notes"].push_back(note);
+    for (const std::string& note : part_notes(part)) document["notes"].push_back(note);
   }
   for (const std::string& note : answer.notes) document["notes"].push_back(note);
   return document;

@@ -190,7 +190,13 @@ std::string extremes_text(const ClimateKind& kind, const twin::Extremes& extreme
   if (extremes.extreme_value)
     text += returns_row("maxima of years, GEV", extremes.extreme_value->returns);
   text += formatted("  {:.2f} years known", extremes.years_known);
-  if (extremes.peaks || extremes.gumbel)
+  const auto is_beyond = [](const twin::ReturnValue& one) {
+    return one.support == twin::ReturnSupport::beyond_history;
+  };
+  const auto any_beyond = [&](const auto& fit) {
+    return fit && std::any_of(fit->returns.begin(), fit->returns.end(), is_beyond);
+  };
+  if (any_beyond(extremes.peaks) || any_beyond(extremes.gumbel))
     text += formatted(
         "; not supported: periods beyond {:g} times the history, for which no sample of this "
         "length speaks",
@@ -302,7 +308,7 @@ std::string interval_method(const ClimateQuestion& question) {
       question.storms.resamples, question.storms.seed);
 }
 
-std::vector<std::string> month_notes(const ClimatePart& part) {
+std::vector<std::string> part_notes(const ClimatePart& part) {
   const std::string& word = kind_of(part.of).word;
   std::vector<std::string> notes;
   if (const std::vector<int> unknown = part.known.unknown(); !unknown.empty())
@@ -311,6 +317,18 @@ std::vector<std::string> month_notes(const ClimatePart& part) {
   if (const std::vector<int> thin = part.known.thin(); !thin.empty())
     notes.push_back(word + ": less is known of " + months_text(thin) +
                     " than half of what is of other months; shares lean to those");
+  if (!part.extremes) return notes;
+  const std::vector<twin::YearMaximum>& maxima = part.extremes->maxima;
+  for (std::size_t i = 1; i < maxima.size(); ++i) {
+    const double apart_h =
+        static_cast<double>(maxima[i].step - maxima[i - 1].step) * part.extremes->step_h;
+    if (apart_h < part.extremes->separation_h)
+      notes.push_back(
+          formatted("{}: the maxima of {} and {} are {:g} h apart, of one storm; as maxima of "
+                    "years they count "
+                    "as two",
+                    word, maxima[i - 1].year, maxima[i].year, apart_h));
+  }
   return notes;
 }
 
