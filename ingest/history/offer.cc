@@ -6,7 +6,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
-#include "fields/base/turn.h"
+#include "fields/base/frame.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -70,8 +70,8 @@ NamedColumn parse_named_column(const std::string& text) {
 double part_of(VectorPart part, double east, double north) noexcept {
   if (part == VectorPart::speed) return std::hypot(east, north);
   if (east == 0 && north == 0) return constants::nan;
-  const double turn = part == VectorPart::from_direction ? 180 : 0;
-  return compass_deg(std::atan2(east, north) * 180 / constants::pi + turn);
+  return part == VectorPart::from_direction ? from_direction_deg({east, north})
+                                            : to_direction_deg({east, north});
 }
 
 void make_of_components(HistorySeries& east, const HistorySeries& north, const Making& making) {

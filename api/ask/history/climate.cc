@@ -238,12 +238,14 @@ class Climate {
 const ClimateKind& kind_of(ClimateOf of) { return climate_kinds()[static_cast<std::size_t>(of)]; }
 
 ClimateOf parse_climate_of(const std::string& text) {
-  const std::vector<std::string> known{"wind", "waves", "current"};
-  const auto found = std::find(known.begin(), known.end(), text);
-  if (found == known.end())
-    refuse("found '" + text + "', expected one of wind, waves, current" +
-           did_you_mean(text, known));
-  return static_cast<ClimateOf>(found - known.begin());
+  std::vector<std::string> known;
+  for (const ClimateKind& kind : climate_kinds()) {
+    if (kind.of == ClimateOf::period) continue;  // has no climate of its own
+    if (kind.word == text) return kind.of;
+    known.push_back(kind.word);
+  }
+  refuse("found '" + text + "', expected one of " + joined(known, ", ") +
+         did_you_mean(text, known));
 }
 
 ClimateNumbers parse_climate_numbers(const std::string& text) {
