@@ -134,6 +134,7 @@ RegularHistory on_regular_steps(std::span<const HistorySeries> series) {
       history.notes.push_back(formatted("{} is given every {}: each value counts until the next",
                                         series[s].name, step_text(own[s].step)));
     history.values.push_back(std::move(values));
+    history.own_step.push_back(own[s].step);
   }
   return history;
 }

@@ -13,6 +13,7 @@ struct RegularHistory {
   StepClock clock;
   /// One for each series, a value for each step; NaN where nobody says.
   std::vector<std::vector<double>> values;
+  std::vector<Duration> own_step;  ///< of each series: how long one of its values holds
   std::vector<std::string> notes;  ///< what a reader should know of how they were laid
 };
 

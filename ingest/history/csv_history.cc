@@ -139,6 +139,7 @@ class CsvHistory {
     HistoryOfFile answer;
     answer.columns = head_;
     answer.offered = names_offered(offers_, options_);
+    answer.warnings = made_apart(wanted, offers_, vocabulary_);
     std::vector<std::optional<Making>> makings;
     for (const std::string& name : wanted) makings.push_back(making_of(name, offers_, vocabulary_));
     for (const auto& making : makings) answer.series.push_back(begun(making));

@@ -6,7 +6,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
-#include "fields/base/turn.h"
+#include "fields/base/frame.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -17,6 +17,7 @@ struct Made {
   const char* east;
   const char* north;
 };
+/// Of each vector its speed, then its direction.
 constexpr std::array made_of_two{
     Made{"wind_speed", VectorPart::speed, "eastward_wind", "northward_wind"},
     Made{"wind_from_direction", VectorPart::from_direction, "eastward_wind", "northward_wind"},
@@ -37,8 +38,7 @@ std::optional<std::size_t> only_one(const std::string& standard_name,
       if (found)
         throw Error(ErrorKind::invalid_input,
                     "found two columns that are " + standard_name + ", '" + offers[*found].name +
-                        "' and '" + offers[i].name +
-                        "'; name the column itself in the limit, or one alone with --column '" +
+                        "' and '" + offers[i].name + "'; say which is meant with --column '" +
                         offers[i].name + "=" + standard_name + "'");
       found = i;
     }
@@ -70,8 +70,8 @@ NamedColumn parse_named_column(const std::string& text) {
 double part_of(VectorPart part, double east, double north) noexcept {
   if (part == VectorPart::speed) return std::hypot(east, north);
   if (east == 0 && north == 0) return constants::nan;
-  const double turn = part == VectorPart::from_direction ? 180 : 0;
-  return compass_deg(std::atan2(east, north) * 180 / constants::pi + turn);
+  return part == VectorPart::from_direction ? from_direction_deg({east, north})
+                                            : to_direction_deg({east, north});
 }
 
 void make_of_components(HistorySeries& east, const HistorySeries& north, const Making& making) {
@@ -108,9 +108,43 @@ std::optional<Making> making_of(const std::string& wanted, const std::vector<Off
     if (name != made.name) continue;
     const auto east = only_one(made.east, offers);
     const auto north = only_one(made.north, offers);
-    if (east && north) return Making{*east, north, made.part, made.name};
+    if (!east || !north) continue;
+    const Offer& a = offers[*east];
+    const Offer& b = offers[*north];
+    // A name chooses a height among several: what else the file has may be of another.
+    if (a.is_named != b.is_named)
+      throw Error(ErrorKind::invalid_input,
+                  "found '" + (a.is_named ? a : b).name + "' named as " +
+                      (a.is_named ? a : b).standard_name + " and '" + (a.is_named ? b : a).name +
+                      "' not named, which may be of another height; name both components with "
+                      "--column");
+    return Making{*east, north, made.part, made.name};
   }
   return std::nullopt;
+}
+
+std::vector<std::string> made_apart(const std::vector<std::string>& wanted,
+                                    const std::vector<Offer>& offers,
+                                    const Vocabulary& vocabulary) {
+  std::vector<std::string> told;
+  const auto is_wanted = [&](const char* name) {
+    return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+  };
+  for (std::size_t i = 0; i < made_of_two.size(); i += 2) {
+    const char* const speed = made_of_two[i].name;
+    const char* const direction = made_of_two[i + 1].name;
+    if (!is_wanted(speed) || !is_wanted(direction)) continue;
+    const auto one = making_of(speed, offers, vocabulary);
+    const auto other = making_of(direction, offers, vocabulary);
+    if (!one || !other || one->second.has_value() == other->second.has_value()) continue;
+    const auto columns = [&](const Making& making) {
+      return "'" + offers[making.first].name + "'" +
+             (making.second ? " and '" + offers[*making.second].name + "'" : "");
+    };
+    told.push_back(std::string(speed) + " is of " + columns(*one) + " and " + direction + " of " +
+                   columns(*other) + ": make sure that both are of one height");
+  }
+  return told;
 }
 
 }  // namespace slackwater::ingest

@@ -52,10 +52,17 @@ void make_of_components(HistorySeries& east, const HistorySeries& north, const M
 /// How a wanted quantity comes from what a file offers: by the column's own name, by its standard
 /// name, or, speeds and directions of wind and current, from the two components. Nothing where the
 /// file has none of these. Of several of one standard name the one that the user names is meant.
-/// @throws Error(invalid_input) where two columns are the same quantity
+/// @throws Error(invalid_input) where two columns are the same quantity, and where one component is
+///         named and the other is not
 [[nodiscard]] std::optional<Making> making_of(const std::string& wanted,
                                               const std::vector<Offer>& offers,
                                               const Vocabulary& vocabulary);
+
+/// In words, where of a wanted speed and its direction one is a column and the other made of
+/// components: they may be of different heights.
+[[nodiscard]] std::vector<std::string> made_apart(const std::vector<std::string>& wanted,
+                                                  const std::vector<Offer>& offers,
+                                                  const Vocabulary& vocabulary);
 
 /// The current standard name where a name is an older or kindred one that means the same; else the
 /// name.

@@ -20,6 +20,7 @@ namespace slackwater::ingest {
 template <typename Read>
 void read_wanted(const std::vector<std::string>& wanted, const std::vector<Offer>& offers,
                  const Vocabulary& vocabulary, const Read& read, HistoryOfFile& answer) {
+  answer.warnings = made_apart(wanted, offers, vocabulary);
   for (const std::string& name : wanted) {
     const auto making = making_of(name, offers, vocabulary);
     if (!making) {

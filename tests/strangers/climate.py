@@ -21,7 +21,7 @@ import subprocess
 import sys
 
 import numpy as np
-from scipy import stats
+from scipy import special, stats
 
 PROGRAM, SHARED, WORK = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 ALPHA = SHARED / "data/weather_windows/alpha_ventus_weather_2002_2014.csv"
@@ -172,6 +172,14 @@ def expect_extremes(extremes, values, step_h):
             near(one["value"], stats.gumbel_r.ppf(np.exp(-1 / one["years"]), fit["location"], fit["scale"]), "Gumbel")
     if "scale" in extremes["gev"]:
         fit = extremes["gev"]
+        # Hosking, Wallis and Wood (1985).
+        l1, l2, l3 = l_moments(maxima)
+        c = 2 / (3 + l3 / l2) - np.log(2) / np.log(3)
+        k = 7.8590 * c + 2.9554 * c**2
+        scale = l2 * k / ((1 - 2**-k) * special.gamma(1 + k))
+        near(fit["shape"], -k, "shape of the generalised extreme value")
+        near(fit["scale"], scale, "its scale")
+        near(fit["location"], l1 - scale * (1 - special.gamma(1 + k)) / k, "its location")
         for one in (r for r in fit["returns"] if r["support"] == "supported"):
             near(one["value"], stats.genextreme.ppf(np.exp(-1 / one["years"]), -fit["shape"], fit["location"],
                                                     fit["scale"]), "generalised extreme value", 1e-7)
@@ -212,7 +220,8 @@ def extremes_of_known_truth(rng):
                 told_all += 1
                 held += one["interval_90"][0] <= truth <= one["interval_90"][1]
                 likelihood_held += one["interval_90"][0] <= likely <= one["interval_90"][1]
-    # Three of each history go together: of 15 histories 15 independent ones at 0.89.
+    # Three of each history go together. Of the six by default, each held with 0.89, three are missed once in 50 times, and
+    # fewer of more; the seed is fixed.
     print(f"{held} of {told_all} intervals hold the truth, {likelihood_held} scipy's maximum-likelihood value")
     assert held >= 0.65 * told_all and likelihood_held >= 0.95 * told_all
 

@@ -39,6 +39,10 @@ double ExtremeValue::not_exceeded_with(double probability) const noexcept {
   return location + scale * box_cox_of(-std::log(probability), shape);
 }
 
+double ExtremeValue::greatest() const noexcept {
+  return shape < 0 ? location - scale / shape : std::numeric_limits<double>::infinity();
+}
+
 LinearMoments linear_moments(std::vector<double> values) {
   expects(values.size() >= 3, "three moments are those of three values at least");
   std::sort(values.begin(), values.end());

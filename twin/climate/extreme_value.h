@@ -33,6 +33,8 @@ struct ExtremeValue {
 
   /// What is not exceeded with a probability. @param probability  in (0, 1)
   [[nodiscard]] double not_exceeded_with(double probability) const noexcept;
+  /// The end of what is possible; infinite for a shape of 0 and above.
+  [[nodiscard]] double greatest() const noexcept;
 };
 
 /// The first moments of a sample in order, in linear combinations of its order statistics, without

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fields/base/check.h"
 #include "fields/base/quantile.h"
 #include "fields/base/random.h"
+#include "twin/climate/known_months.h"
 #include "twin/risk/calendar.h"
 
 namespace slackwater::twin {
@@ -47,6 +49,11 @@ std::vector<ReturnValue> asked(const ExtremesQuestion& question, double history_
     returns.push_back(one);
   }
   return returns;
+}
+
+double days_of(int year, int month) {
+  const auto last = std::chrono::year(year) / month / std::chrono::last;
+  return static_cast<unsigned>(std::chrono::year_month_day_last(last).day());
 }
 
 /// Storms over each possible threshold, from the greatest threshold on.
@@ -115,6 +122,8 @@ std::optional<PeaksFit> peaks_fit(std::span<const StormPeak> peaks, double thres
   result.shape = interval_of(std::move(shapes));
   for (std::size_t v = 0; v < values.size(); ++v) {
     ReturnValue& one = result.returns[v];
+    if (one.support == ReturnSupport::supported && !result.is_good())
+      one.support = ReturnSupport::no_good_fit;
     if (one.support == ReturnSupport::supported && result.storms_per_year * one.years <= 1)
       one.support = ReturnSupport::below_threshold;
     if (one.support != ReturnSupport::supported) continue;
@@ -131,7 +140,8 @@ std::optional<MaximaFit> maxima_fit(const std::vector<double>& maxima, bool has_
   };
   const std::optional<ExtremeValue> fit = fitted(maxima);
   if (!fit) return std::nullopt;
-  MaximaFit result{*fit, asked(question, static_cast<double>(maxima.size()))};
+  MaximaFit result{*fit, *std::max_element(maxima.begin(), maxima.end()),
+                   asked(question, static_cast<double>(maxima.size()))};
   Rng random(question.seed, stream);
   std::vector<std::vector<double>> values(result.returns.size());
   std::vector<double> sample(maxima.size());
@@ -145,6 +155,10 @@ std::optional<MaximaFit> maxima_fit(const std::vector<double>& maxima, bool has_
   }
   for (std::size_t v = 0; v < values.size(); ++v) {
     ReturnValue& one = result.returns[v];
+    if (one.support == ReturnSupport::supported && !result.is_good())
+      one.support = ReturnSupport::no_good_fit;
+    if (one.support == ReturnSupport::supported && one.years < 1)
+      one.support = ReturnSupport::below_year;
     if (one.support != ReturnSupport::supported) continue;
     one.value = return_value(*fit, one.years);
     one.interval = interval_of(std::move(values[v]));
@@ -157,19 +171,22 @@ std::vector<YearMaximum> year_maxima(std::span<const double> values, const StepC
   const std::vector<MonthSteps> months = months_of(clock, std::nullopt);
   for (auto month = months.begin(); month != months.end();) {
     const int year = month->year;
-    const std::size_t begin = month->steps.begin;
-    std::size_t end = begin;
-    for (; month != months.end() && month->year == year; ++month) end = month->steps.end;
-    YearMaximum maximum{year, begin, 0};
-    std::size_t known = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (std::isnan(values[i])) continue;
-      if (known == 0 || values[i] > maximum.value) maximum = {year, i, values[i]};
-      ++known;
+    YearMaximum maximum{year, month->steps.begin, -std::numeric_limits<double>::infinity()};
+    double known_h = 0;
+    std::size_t known_months = 0;
+    for (; month != months.end() && month->year == year; ++month) {
+      std::size_t known = 0;
+      for (std::size_t i = month->steps.begin; i < month->steps.end; ++i) {
+        if (std::isnan(values[i])) continue;
+        if (values[i] > maximum.value) maximum = {year, i, values[i]};
+        ++known;
+      }
+      const double month_h = static_cast<double>(known) * clock.step_h();
+      known_h += month_h;
+      known_months += month_h >= month_share * 24 * days_of(year, month->month) ? 1 : 0;
     }
     const double days = std::chrono::year(year).is_leap() ? 366 : 365;
-    if (static_cast<double>(known) * clock.step_h() >= complete_share * days * 24)
-      maxima.push_back(maximum);
+    if (known_months == 12 && known_h >= complete_share * days * 24) maxima.push_back(maximum);
   }
   return maxima;
 }
@@ -178,10 +195,16 @@ Extremes extremes_of(std::span<const double> values, const StepClock& clock,
                      const ExtremesQuestion& question) {
   expects(values.size() == clock.steps, "a value for each step");
   Extremes result;
-  const auto known =
-      std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
-  result.years_known = static_cast<double>(known) * clock.step_h() / hours_of_year;
+  const KnownMonths known = known_months(values, months_of(clock, std::nullopt));
+  result.years_known = static_cast<double>(known.all.known) * clock.step_h() / hours_of_year;
   result.separation_h = static_cast<double>(question.separation_steps) * clock.step_h();
+  const Duration value_step = std::max(clock.step, question.value_step);
+  result.step_h = clock.step_h();
+  result.value_step_h = hours_of(value_step);
+  if (value_step > longest_step || result.value_step_h > result.separation_h) {
+    result.no_peaks = NoPeaks::coarse_steps;
+    return result;
+  }
   result.maxima = year_maxima(values, clock);
   std::vector<double> maxima;
   for (const YearMaximum& one : result.maxima) maxima.push_back(one.value);
@@ -191,14 +214,22 @@ Extremes extremes_of(std::span<const double> values, const StepClock& clock,
     result.no_peaks = NoPeaks::short_history;
     return result;
   }
+  result.months_missing = known.unknown();
+  for (const int month : known.thin()) result.months_missing.push_back(month);
+  if (!result.months_missing.empty()) {
+    std::sort(result.months_missing.begin(), result.months_missing.end());
+    result.no_peaks = NoPeaks::seasons_missing;
+    return result;
+  }
   const Thresholds thresholds(values, result.years_known, question.separation_steps);
+  if (!question.threshold)
+    result.rate =
+        std::max(question.storms_per_year, static_cast<double>(least_storms) / result.years_known);
   Tried chosen;
   if (question.threshold) {
     chosen = {*question.threshold,
               storm_peaks(values, *question.threshold, question.separation_steps)};
-  } else if (const Tried* found = thresholds.with(
-                 std::max(question.storms_per_year,
-                          static_cast<double>(least_storms) / result.years_known))) {
+  } else if (const Tried* found = thresholds.with(result.rate)) {
     chosen = *found;
   } else {
     result.no_peaks = NoPeaks::all_alike;
@@ -214,6 +245,7 @@ Extremes extremes_of(std::span<const double> values, const StepClock& clock,
     result.no_peaks = NoPeaks::all_alike;
     return result;
   }
+  if (!result.peaks->is_good()) result.no_peaks = NoPeaks::no_good_fit;
   result.other_thresholds.push_back(*result.peaks);
   for (const double factor : {2.0, 1.6, 1.25, 0.8, 0.6, 0.4}) {
     const Tried* other = thresholds.with(factor * result.peaks->storms_per_year);

@@ -98,14 +98,6 @@ ClimateSpread spread_of(const std::vector<double>& values) {
   return spread;
 }
 
-std::string months_text(const std::vector<int>& months) {
-  constexpr std::array names{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
-                             "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-  std::vector<std::string> found;
-  for (const int month : months) found.emplace_back(names[static_cast<std::size_t>(month - 1)]);
-  return joined(found, ", ");
-}
-
 class Climate {
  public:
   Climate(const History& history, const ClimateQuestion& question,
@@ -151,8 +143,7 @@ class Climate {
       if (const auto direction = expected(kind.direction_name, "rose of " + kind.word))
         part.rose = rose(kind, size, *direction);
     }
-    if (question_.extremes) part.extremes = extremes(kind, values);
-    tell_months(kind, part.known);
+    if (question_.extremes) part.extremes = extremes(kind, size, values);
     answer_.parts.push_back(std::move(part));
   }
 
@@ -178,27 +169,20 @@ class Climate {
     return found;
   }
 
-  [[nodiscard]] twin::Extremes extremes(const ClimateKind& kind,
+  [[nodiscard]] twin::Extremes extremes(const ClimateKind& kind, std::size_t size,
                                         const std::vector<double>& values) const {
     const StepClock& clock = history_.regular.clock;
     twin::ExtremesQuestion asked = question_.storms;
     asked.separation_steps = twin::steps_needed(question_.separation, clock.step);
+    asked.value_step = history_.regular.own_step[size];
     if (const ClimateNumbers* stated = stated_of(kind.of, question_.thresholds)) {
-      const auto unit =
-          ingest::unit_conversion(stated->unit, kind.unit, "--threshold " + kind.word);
-      asked.threshold = unit.scale * stated->values.front() + unit.offset;
+      // In the unit of the series first, then brought on as its values are, for equal to stay so.
+      const HistorySeries& series = history_.series[size];
+      const double bound = edges_on(series, {stated->values, stated->unit}, vocabulary_).front();
+      const auto unit = ingest::unit_conversion(series.unit, kind.unit, "'" + series.name + "'");
+      asked.threshold = unit.is_identity() ? bound : unit.scale * bound + unit.offset;
     }
     return twin::extremes_of(values, clock, asked);
-  }
-
-  void tell_months(const ClimateKind& kind, const twin::KnownMonths& known) {
-    if (const std::vector<int> unknown = known.unknown(); !unknown.empty())
-      answer_.notes.push_back(kind.word + ": nothing is known of " + months_text(unknown) +
-                              "; this is not the climate of a year");
-    if (const std::vector<int> thin = known.thin(); !thin.empty())
-      answer_.notes.push_back(kind.word + ": less is known of " + months_text(thin) +
-                              " than half of what is of other months; shares and extremes lean to "
-                              "those");
   }
 
   void add_scatters() {
@@ -219,9 +203,9 @@ class Climate {
       found.counts =
           twin::scatter_of(heights, rows, history_.regular.values[*place],
                            edges_on(history_.series[*place], found.periods, vocabulary_));
-      answer_.by_period = std::move(found);
+      answer_.by_period = with_steps(std::move(found), period.size_name);
     }
-    if (!place_of(waves.direction_name, history_)) return;  // as the rose has told
+    if (!expected(waves.direction_name, "scatter of heights and directions")) return;
     ClimateScatter found;
     found.heights = height_edges;
     found.sectors = question_.sectors;
@@ -233,7 +217,14 @@ class Climate {
     std::vector<double> columns;
     for (std::size_t s = 1; s < question_.sectors; ++s) columns.push_back(static_cast<double>(s));
     found.counts = twin::scatter_of(heights, rows, sector, columns);
-    answer_.by_sector = std::move(found);
+    answer_.by_sector = with_steps(std::move(found), waves.direction_name);
+  }
+
+  /// A table, or a note where no step knows both.
+  std::optional<ClimateScatter> with_steps(ClimateScatter found, const std::string& name) {
+    if (found.counts.known > 0) return found;
+    answer_.notes.push_back("found no step with a height of waves and " + name + ": no scatter");
+    return std::nullopt;
   }
 
   const History& history_;
@@ -247,12 +238,14 @@ class Climate {
 const ClimateKind& kind_of(ClimateOf of) { return climate_kinds()[static_cast<std::size_t>(of)]; }
 
 ClimateOf parse_climate_of(const std::string& text) {
-  const std::vector<std::string> known{"wind", "waves", "current"};
-  const auto found = std::find(known.begin(), known.end(), text);
-  if (found == known.end())
-    refuse("found '" + text + "', expected one of wind, waves, current" +
-           did_you_mean(text, known));
-  return static_cast<ClimateOf>(found - known.begin());
+  std::vector<std::string> known;
+  for (const ClimateKind& kind : climate_kinds()) {
+    if (kind.of == ClimateOf::period) continue;  // has no climate of its own
+    if (kind.word == text) return kind.of;
+    known.push_back(kind.word);
+  }
+  refuse("found '" + text + "', expected one of " + joined(known, ", ") +
+         did_you_mean(text, known));
 }
 
 ClimateNumbers parse_climate_numbers(const std::string& text) {
@@ -294,6 +287,12 @@ ClimateNumbers parse_climate_number(const std::string& text) {
     refuse("found '" + text + "' with " + counted(numbers.values.size(), "number") +
            ", expected one");
   return numbers;
+}
+
+std::vector<double> return_periods(std::vector<double> years) {
+  std::sort(years.begin(), years.end());
+  years.erase(std::unique(years.begin(), years.end()), years.end());
+  return years;
 }
 
 WantedSeries wanted_by(const ClimateQuestion& question) {

@@ -52,8 +52,14 @@ struct ClimateQuestion {
   std::vector<ClimateNumbers> calms;
   std::vector<ClimateNumbers> thresholds;
   Duration separation = std::chrono::hours(48);
-  twin::ExtremesQuestion storms;  ///< thresholds and the separation are those above
+  twin::ExtremesQuestion storms;  ///< thresholds, separation and steps are those above
 };
+
+// Return periods that may be asked for, years.
+inline constexpr double least_return_years = 0.1;
+inline constexpr double most_return_years = 10000;
+/// Ascending, each once.
+[[nodiscard]] std::vector<double> return_periods(std::vector<double> years);
 
 /// The variables that it takes, each if it is there.
 [[nodiscard]] WantedSeries wanted_by(const ClimateQuestion& question);

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "api/door/cli/history_options.h"
@@ -50,7 +49,43 @@ void expect_no_period(const char* option, const std::vector<ClimateNumbers>& all
                   formatted("found {} of period, expected wind, waves or current", option));
 }
 
-ClimateQuestion question_of(const ClimateArguments& arguments) {
+/// Numbers that nothing asks for would be taken as heard.
+void expect_used(const char* option, const std::vector<ClimateNumbers>& all,
+                 const ClimateQuestion& question, bool is_of_use) {
+  for (const ClimateNumbers& one : all) {
+    // Periods are those of waves, in scatter tables alone.
+    const bool is_period = one.of == ClimateOf::period;
+    const ClimateOf of = is_period ? ClimateOf::waves : one.of;
+    const bool is_asked =
+        std::find(question.of.begin(), question.of.end(), of) != question.of.end();
+    if (!is_asked || !(is_period ? question.scatter : is_of_use))
+      throw Error(ErrorKind::usage,
+                  formatted("found {} of {}, which nothing that is asked for uses; "
+                            "leave it away, or ask for more",
+                            option, kind_of(one.of).word));
+  }
+}
+
+/// And those of what the series do not have.
+void expect_there(const char* option, const std::vector<ClimateNumbers>& all,
+                  const ClimateAnswer& answer) {
+  for (const ClimateNumbers& one : all) {
+    const ClimateOf of = one.of == ClimateOf::period ? ClimateOf::waves : one.of;
+    if (std::none_of(answer.parts.begin(), answer.parts.end(),
+                     [&](const ClimatePart& part) { return part.of == of; }))
+      throw Error(ErrorKind::usage, formatted("found {} of {}, and no {} in the series", option,
+                                              kind_of(one.of).word, kind_of(of).word));
+  }
+}
+
+/// @param options  those of extremes alone
+void expect_extremes(const CLI::App& command, const std::vector<const char*>& options) {
+  for (const char* option : options)
+    if (command.count(option) > 0)
+      throw Error(ErrorKind::usage, formatted("found {} without --extremes", option));
+}
+
+ClimateQuestion question_of(const ClimateArguments& arguments, const CLI::App& command) {
   ClimateQuestion question;
   const bool is_chosen = arguments.roses || arguments.scatter || arguments.extremes;
   question.roses = !is_chosen || arguments.roses;
@@ -75,13 +110,23 @@ ClimateQuestion question_of(const ClimateArguments& arguments) {
   question.thresholds = numbers_of("--threshold", arguments.thresholds, parse_climate_number);
   expect_no_period("--calm", question.calms);
   expect_no_period("--threshold", question.thresholds);
+  if (!question.extremes)
+    expect_extremes(command, {"--return-period", "--threshold", "--storms-per-year", "--separation",
+                              "--resamples", "--seed"});
+  if (!question.roses && !question.scatter && command.count("--sectors") > 0)
+    throw Error(ErrorKind::usage, "found --sectors without --roses or --scatter");
+  for (const ClimateNumbers& one : question.classes)
+    expect_used("--classes", {one}, question,
+                question.roses || (question.scatter && one.of == ClimateOf::waves));
+  expect_used("--calm", question.calms, question, question.roses);
+  expect_used("--threshold", question.thresholds, question, true);
   if (!arguments.return_years.empty()) {
-    question.storms.return_years = arguments.return_years;
-    std::sort(question.storms.return_years.begin(), question.storms.return_years.end());
-    for (const double years : question.storms.return_years)
-      if (!(years > 0) || !std::isfinite(years))
+    for (const double years : arguments.return_years)
+      if (!(years >= least_return_years && years <= most_return_years))
         throw Error(ErrorKind::usage,
-                    formatted("found --return-period {:g}, expected years above 0", years));
+                    formatted("found --return-period {:g}, expected {:g} to {:g} years", years,
+                              least_return_years, most_return_years));
+    question.storms.return_years = return_periods(arguments.return_years);
   }
   if (!arguments.separation.empty()) {
     question.separation = option_value("--separation", arguments.separation, parse_duration);
@@ -95,13 +140,17 @@ ClimateQuestion question_of(const ClimateArguments& arguments) {
   return question;
 }
 
-void run_climate(const ClimateArguments& arguments, const Context& context) {
+void run_climate(const ClimateArguments& arguments, const CLI::App& command,
+                 const Context& context) {
   const ingest::Vocabulary vocabulary =
       ingest::Vocabulary::load(data_folder() / "products" / "variables.yaml");
   const HistorySource source = source_of(arguments.history, context);
-  const ClimateQuestion question = question_of(arguments);
+  const ClimateQuestion question = question_of(arguments, command);
   const History history = load_history(source, wanted_by(question), vocabulary);
   const ClimateAnswer answer = answer_of(history, question, vocabulary);
+  expect_there("--classes", question.classes, answer);
+  expect_there("--calm", question.calms, answer);
+  expect_there("--threshold", question.thresholds, answer);
   print_history_answer(climate_json(history, question, answer),
                        climate_text(history, question, answer), context);
 }
@@ -151,7 +200,7 @@ void add_climate(CLI::App& app, Context& context) {
       ->check(CLI::Range(100, 100000));
   command->add_option("--seed", arguments->seed, "of the bootstrap (default 1)");
   add_history_options(*command, arguments->history);
-  command->callback([arguments, &context] { run_climate(*arguments, context); });
+  command->callback([arguments, command, &context] { run_climate(*arguments, *command, context); });
 }
 
 }  // namespace slackwater::api

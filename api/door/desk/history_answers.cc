@@ -77,10 +77,10 @@ ClimateQuestion climate_question(const AskedWords& words) {
   }
   question.sectors = words.count("sectors", 360, 12);
   if (const auto years = words.all("return-period"); !years.empty()) {
-    question.storms.return_years.clear();
+    std::vector<double> asked;
     for (const std::string& text : years)
-      question.storms.return_years.push_back(number_in("return-period", text, 0.01, 10000));
-    std::sort(question.storms.return_years.begin(), question.storms.return_years.end());
+      asked.push_back(number_in("return-period", text, least_return_years, most_return_years));
+    question.storms.return_years = return_periods(std::move(asked));
   }
   return question;
 }

@@ -5,6 +5,7 @@
 
 #include "api/door/http/problem.h"
 #include "fields/base/check.h"
+#include "fields/base/month_names.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api::http {
@@ -24,14 +25,12 @@ void append_field(std::string& head, std::string_view name, std::string_view val
 
 std::string http_date(std::time_t time) {
   constexpr std::array<const char*, 7> days{"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
-  constexpr std::array<const char*, 12> months{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
-                                               "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
   std::tm utc{};
   gmtime_r(&time, &utc);
   return formatted("{}, {:02} {} {:04} {:02}:{:02}:{:02} GMT",
                    days.at(static_cast<std::size_t>(utc.tm_wday)), utc.tm_mday,
-                   months.at(static_cast<std::size_t>(utc.tm_mon)), 1900 + utc.tm_year, utc.tm_hour,
-                   utc.tm_min, utc.tm_sec);
+                   month_names.at(static_cast<std::size_t>(utc.tm_mon)), 1900 + utc.tm_year,
+                   utc.tm_hour, utc.tm_min, utc.tm_sec);
 }
 
 std::string response_head(int status, const Fields& fields, std::size_t length, bool keep_alive) {

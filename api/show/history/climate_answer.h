@@ -1,6 +1,7 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "api/ask/history/climate.h"
 
@@ -19,7 +20,11 @@ namespace slackwater::api {
 [[nodiscard]] std::string extreme_value_method();
 [[nodiscard]] std::string interval_method(const ClimateQuestion& question);
 
-/// Why there are no peaks over a threshold; empty where there are.
+/// What to know of a part: of which months nothing is known, or little, and where one storm is the
+/// maximum of two years.
+[[nodiscard]] std::vector<std::string> part_notes(const ClimatePart& part);
+
+/// Why there are no return values of peaks over a threshold; empty where there are.
 [[nodiscard]] std::string no_peaks_text(const twin::Extremes& extremes);
 /// Why there are no maxima of years, or no shape of theirs; empty where there are.
 [[nodiscard]] std::string no_gumbel_text(const twin::Extremes& extremes);

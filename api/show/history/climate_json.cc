@@ -52,6 +52,10 @@ const char* reason_of(twin::ReturnSupport support) {
       return "beyond_history";
     case twin::ReturnSupport::below_threshold:
       return "below_threshold";
+    case twin::ReturnSupport::below_year:
+      return "below_year";
+    case twin::ReturnSupport::no_good_fit:
+      return "no_good_fit";
     case twin::ReturnSupport::supported:
       break;
   }
@@ -105,17 +109,18 @@ json extremes_json(const twin::Extremes& extremes, const ClimateQuestion& questi
   for (const twin::YearMaximum& one : extremes.maxima)
     maxima.push_back(
         {{"year", one.year}, {"value", one.value}, {"time", format_utc(clock.time_of(one.step))}});
-  return {
-      {"years_known", extremes.years_known},
-      {"separation_h", extremes.separation_h},
-      {"peaks", std::move(peaks)},
-      {"thresholds", std::move(thresholds)},
-      {"annual_maxima", std::move(maxima)},
-      {"gumbel", maxima_json(extremes.gumbel, no_gumbel_text(extremes), gumbel_method())},
-      {"gev", maxima_json(extremes.extreme_value, no_shape_text(extremes), extreme_value_method())},
-      {"interval_method", interval_method(question)},
-      {"resamples", question.storms.resamples},
-      {"seed", question.storms.seed}};
+  return {{"years_known", extremes.years_known},
+          {"separation_h", extremes.separation_h},
+          {"peaks", std::move(peaks)},
+          {"thresholds", std::move(thresholds)},
+          {"annual_maxima", std::move(maxima)},
+          {"gumbel", maxima_json(extremes.gumbel, no_gumbel_text(extremes), gumbel_method())},
+          {"gev", maxima_json(extremes.extreme_value,
+                              extremes.gumbel ? no_shape_text(extremes) : no_gumbel_text(extremes),
+                              extreme_value_method())},
+          {"interval_method", interval_method(question)},
+          {"resamples", question.storms.resamples},
+          {"seed", question.storms.seed}};
 }
 
 json part_json(const ClimatePart& part, const ClimateQuestion& question, const History& history) {
@@ -131,6 +136,7 @@ json part_json(const ClimatePart& part, const ClimateQuestion& question, const H
       {"standard_name", kind.size_name},
       {"series", history.series[part.series].name},
       {"unit", kind.unit},
+      {"own_step_h", hours_of(history.regular.own_step[part.series])},
       {"known_steps", part.known.all.known},
       {"missing_steps", part.known.all.steps - part.known.all.known},
       {"coverage_by_month", std::move(by_month)},
@@ -185,8 +191,10 @@ json climate_json(const History& history, const ClimateQuestion& question,
                    {"height_by_period", scatter_json(answer.by_period)},
                    {"height_by_direction", scatter_json(answer.by_sector)},
                    {"notes", history.notes}};
-  for (const ClimatePart& part : answer.parts)
+  for (const ClimatePart& part : answer.parts) {
     document["parts"].push_back(part_json(part, question, history));
+    for (const std::string& note : part_notes(part)) document["notes"].push_back(note);
+  }
   for (const std::string& note : answer.notes) document["notes"].push_back(note);
   return document;
 }

@@ -1,13 +1,20 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "api/show/history/climate_answer.h"
 #include "api/show/history/workability_answer.h"
+#include "fields/base/month_names.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
+
+std::string months_text(const std::vector<int>& months) {
+  std::vector<std::string> names;
+  for (const int month : months)
+    names.emplace_back(month_names[static_cast<std::size_t>(month - 1)]);
+  return joined(names, ", ");
+}
 
 /// "<4", "4-8", ">=24".
 std::string class_text(const std::vector<double>& edges, std::size_t index) {
@@ -31,10 +38,8 @@ std::string head_text(const History& history) {
 /// How much of each month is known.
 std::string coverage_text(const ClimateAnswer& answer) {
   std::string text = formatted("\n{:<9}", "known, %");
-  for (const char* month :
-       {"Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec", "all"})
-    text += formatted("{:>6}", month);
-  text += "\n";
+  for (const char* month : month_names) text += formatted("{:>6}", month);
+  text += formatted("{:>6}\n", "all");
   const auto cell = [](const twin::KnownSteps& one) {
     return formatted(
         "{:>6}", one.steps == 0 ? "-" : formatted("{:.1f}", 100 * share_of(one.known, one.steps)));
@@ -52,11 +57,11 @@ std::string spread_text(const ClimatePart& part, const History& history) {
   const ClimateSpread& spread = part.spread;
   const std::string& series = history.series[part.series].name;
   return formatted(
-      "\n{}: {}, {}{}\n  mean {:.2f}; half of the time at most {:.2f}, 9 in 10 at most {:.2f}, 99 "
-      "in "
-      "100 at most {:.2f}; greatest {:.2f}, {}\n",
+      "\n{}: {}, {}{}, a value every {:g} h\n  mean {:.2f}; half of the time at most {:.2f}, 9 in "
+      "10 at most {:.2f}, 99 in 100 at most {:.2f}; greatest {:.2f}, {}\n",
       sentence(kind.word).substr(0, kind.word.size()), kind.size_name, kind.unit,
-      series == kind.size_name ? "" : " (" + series + ")", spread.mean, spread.p50, spread.p90,
+      series == kind.size_name ? "" : " (" + series + ")",
+      hours_of(history.regular.own_step[part.series]), spread.mean, spread.p50, spread.p90,
       spread.p99, spread.greatest, format_utc(history.regular.clock.time_of(spread.greatest_step)));
 }
 
@@ -95,6 +100,10 @@ std::string return_text(const twin::ReturnValue& one) {
       return formatted("{:.2f} ({:.2f}-{:.2f})", one.value, one.interval.low, one.interval.high);
     case twin::ReturnSupport::beyond_history:
       return "not supported";
+    case twin::ReturnSupport::below_year:
+      return "below a year";
+    case twin::ReturnSupport::no_good_fit:
+      return "no good fit";
     case twin::ReturnSupport::below_threshold:
       break;
   }
@@ -130,13 +139,28 @@ std::string thresholds_text(const twin::Extremes& extremes, const std::string& u
   return text;
 }
 
-/// Where the fit ends, and whether it ends too soon.
-std::string end_text(const twin::PeaksFit& peaks) {
-  if (!(peaks.fit.shape < 0)) return "";
-  return formatted(", so nothing above {:.2f}", peaks.upper_end()) +
-         (peaks.upper_end() < peaks.greatest_seen
-              ? formatted(", though {:.2f} was seen: do not use it", peaks.greatest_seen)
-              : "");
+/// By what the threshold is the one that it is.
+std::string chosen_text(const twin::Extremes& extremes) {
+  if (extremes.rate == 0) return ", as asked";
+  if (extremes.has_rate())
+    return formatted(", the greatest with {:.3g} storms a year", extremes.rate);
+  return formatted(", with most storms: none has {:.3g} a year", extremes.rate);
+}
+
+/// What is wrong with a fit that is not good.
+std::string bad_fit_text(double shape, double upper_end, double greatest_seen) {
+  if (shape >= twin::most_shape)
+    return formatted("no good fit, its shape is {:.2f}: from {:g} on it tells nothing", shape,
+                     twin::most_shape);
+  return formatted("no good fit, it has nothing above {:.2f}, and {:.2f} was seen", upper_end,
+                   greatest_seen);
+}
+
+std::string coarse_text(const twin::Extremes& extremes) {
+  return formatted(
+      "a value holds {:g} h, expected at most {:g} h and the separation of {:g} h: peaks are lost "
+      "in what is coarser.",
+      extremes.value_step_h, hours_of(twin::longest_step), extremes.separation_h);
 }
 
 /// What standards mean by their values of fifty years.
@@ -150,7 +174,7 @@ std::string average_text(ClimateOf of, double step_h) {
 }
 
 std::string extremes_text(const ClimateKind& kind, const twin::Extremes& extremes,
-                          const ClimateQuestion& question, double step_h) {
+                          const ClimateQuestion& question) {
   std::string text = formatted(
       "\n  extremes of {}, {}: what is exceeded once in so many years on average, with 90 % "
       "intervals\n",
@@ -166,7 +190,13 @@ std::string extremes_text(const ClimateKind& kind, const twin::Extremes& extreme
   if (extremes.extreme_value)
     text += returns_row("maxima of years, GEV", extremes.extreme_value->returns);
   text += formatted("  {:.2f} years known", extremes.years_known);
-  if (extremes.peaks || extremes.gumbel)
+  const auto is_beyond = [](const twin::ReturnValue& one) {
+    return one.support == twin::ReturnSupport::beyond_history;
+  };
+  const auto any_beyond = [&](const auto& fit) {
+    return fit && std::any_of(fit->returns.begin(), fit->returns.end(), is_beyond);
+  };
+  if (any_beyond(extremes.peaks) || any_beyond(extremes.gumbel))
     text += formatted(
         "; not supported: periods beyond {:g} times the history, for which no sample of this "
         "length speaks",
@@ -178,16 +208,9 @@ std::string extremes_text(const ClimateKind& kind, const twin::Extremes& extreme
     text += formatted(
         "  threshold {:.3f} {}{}: {} storms at least {:g} h apart, {:.1f} a year; scale {:.3f}, "
         "shape {:.2f} ({:.2f} to {:.2f}){}\n",
-        peaks.threshold, kind.unit,
-        question.thresholds.end() !=
-                std::find_if(question.thresholds.begin(), question.thresholds.end(),
-                             [&](const ClimateNumbers& one) { return one.of == kind.of; })
-            ? ", as asked"
-            : formatted(", the greatest with {:g} storms a year",
-                        std::max(question.storms.storms_per_year,
-                                 static_cast<double>(twin::least_storms) / extremes.years_known)),
-        peaks.storms, extremes.separation_h, peaks.storms_per_year, peaks.fit.scale,
-        peaks.fit.shape, peaks.shape.low, peaks.shape.high, end_text(peaks));
+        peaks.threshold, kind.unit, chosen_text(extremes), peaks.storms, extremes.separation_h,
+        peaks.storms_per_year, peaks.fit.scale, peaks.fit.shape, peaks.shape.low, peaks.shape.high,
+        peaks.fit.shape < 0 ? formatted(", so nothing above {:.2f}", peaks.upper_end()) : "");
     text += "  method: " + peaks_method() + "\n" + thresholds_text(extremes, kind.unit);
   }
   for (const std::string& why : {no_gumbel_text(extremes), no_shape_text(extremes)})
@@ -200,7 +223,8 @@ std::string extremes_text(const ClimateKind& kind, const twin::Extremes& extreme
   }
   if (extremes.extreme_value) text += "  method: " + extreme_value_method() + "\n";
   if (extremes.peaks || extremes.gumbel)
-    text += "  intervals: " + interval_method(question) + "\n" + average_text(kind.of, step_h);
+    text += "  intervals: " + interval_method(question) + "\n" +
+            average_text(kind.of, extremes.value_step_h);
   return text;
 }
 
@@ -284,20 +308,56 @@ std::string interval_method(const ClimateQuestion& question) {
       question.storms.resamples, question.storms.seed);
 }
 
+std::vector<std::string> part_notes(const ClimatePart& part) {
+  const std::string& word = kind_of(part.of).word;
+  std::vector<std::string> notes;
+  if (const std::vector<int> unknown = part.known.unknown(); !unknown.empty())
+    notes.push_back(word + ": nothing is known of " + months_text(unknown) +
+                    "; this is not the climate of a year");
+  if (const std::vector<int> thin = part.known.thin(); !thin.empty())
+    notes.push_back(word + ": less is known of " + months_text(thin) +
+                    " than half of what is of other months; shares lean to those");
+  if (!part.extremes) return notes;
+  const std::vector<twin::YearMaximum>& maxima = part.extremes->maxima;
+  for (std::size_t i = 1; i < maxima.size(); ++i) {
+    const double apart_h =
+        static_cast<double>(maxima[i].step - maxima[i - 1].step) * part.extremes->step_h;
+    if (apart_h < part.extremes->separation_h)
+      notes.push_back(
+          formatted("{}: the maxima of {} and {} are {:g} h apart, of one storm; as maxima of "
+                    "years they count "
+                    "as two",
+                    word, maxima[i - 1].year, maxima[i].year, apart_h));
+  }
+  return notes;
+}
+
 std::string no_peaks_text(const twin::Extremes& extremes) {
   switch (extremes.no_peaks) {
+    case twin::NoPeaks::coarse_steps:
+      return "no extremes from storms: " + coarse_text(extremes);
     case twin::NoPeaks::short_history:
       return formatted(
           "no extremes from storms: {:.2f} years are known, and fewer than {:g} say nothing of "
           "them.",
           extremes.years_known, twin::least_years);
+    case twin::NoPeaks::seasons_missing:
+      return "no extremes from storms: of " + months_text(extremes.months_missing) +
+             " nothing is known, or less than half of what is known of other months; storms of a "
+             "part of the year are not those of a year.";
     case twin::NoPeaks::few_storms:
       return formatted(
-          "no extremes from storms: {} over the threshold, {:g} h apart, expected {} at least; say "
-          "a lower --threshold, more --storms-per-year or a shorter --separation.",
+          "no extremes from storms: {} over the threshold, {:g} h apart, expected {} at least; "
+          "say another --threshold (a low one joins storms, a high one has few), more "
+          "--storms-per-year or a shorter --separation.",
           counted(extremes.storms_found, "storm"), extremes.separation_h, twin::least_storms);
     case twin::NoPeaks::all_alike:
-      return "no extremes from storms: all values are alike.";
+      return "no extremes from storms: no two peaks differ.";
+    case twin::NoPeaks::no_good_fit:
+      return "no extremes from storms: " +
+             bad_fit_text(extremes.peaks->fit.shape, extremes.peaks->upper_end(),
+                          extremes.peaks->greatest_seen) +
+             "; see other thresholds.";
     case twin::NoPeaks::none:
       break;
   }
@@ -306,6 +366,8 @@ std::string no_peaks_text(const twin::Extremes& extremes) {
 
 std::string no_gumbel_text(const twin::Extremes& extremes) {
   if (extremes.gumbel) return "";
+  if (extremes.no_peaks == twin::NoPeaks::coarse_steps)
+    return "no extremes from maxima of years: " + coarse_text(extremes);
   if (extremes.maxima.size() >= twin::least_gumbel_years)
     return "no extremes from maxima of years: all are alike.";
   return formatted("no extremes from maxima of years: {} complete, expected {} at least.",
@@ -313,6 +375,9 @@ std::string no_gumbel_text(const twin::Extremes& extremes) {
 }
 
 std::string no_shape_text(const twin::Extremes& extremes) {
+  if (const auto& fit = extremes.extreme_value; fit && !fit->is_good())
+    return "no generalised extreme value: " +
+           bad_fit_text(fit->fit.shape, fit->fit.greatest(), fit->greatest_seen) + ".";
   if (extremes.extreme_value || !extremes.gumbel) return "";
   return formatted("no generalised extreme value: {} complete, expected {} at least for a shape.",
                    counted(extremes.maxima.size(), "year"), twin::least_shape_years);
@@ -325,8 +390,7 @@ std::string climate_text(const History& history, const ClimateQuestion& question
     const ClimateKind& kind = kind_of(part.of);
     text += spread_text(part, history);
     if (part.rose) text += rose_text(kind, *part.rose);
-    if (part.extremes)
-      text += extremes_text(kind, *part.extremes, question, history.regular.clock.step_h());
+    if (part.extremes) text += extremes_text(kind, *part.extremes, question);
   }
   for (const auto* scatter : {&answer.by_period, &answer.by_sector})
     if (*scatter) text += scatter_text(**scatter);

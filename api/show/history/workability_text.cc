@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "api/show/history/workability_answer.h"
+#include "fields/base/month_names.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
@@ -94,8 +95,6 @@ std::string extent_text(const StepClock& clock, const twin::StepRanges& missing)
 
 std::string workability_text(const History& history, const WorkabilityQuestion& question,
                              const WorkabilityAnswer& answer) {
-  constexpr const char* month_names[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
-                                         "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
   const twin::Workability& found = answer.workability;
   const StepClock& clock = history.regular.clock;
   std::string text = verdict_text(question, found.overall);

@@ -2,14 +2,13 @@
 
 #include <array>
 
+#include "fields/base/month_names.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
 namespace {
 
 constexpr std::array weekdays{"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
-constexpr std::array months{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
-                            "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
 
 UtcTime to_minute(UtcTime time) { return std::chrono::round<std::chrono::minutes>(time); }
 
@@ -28,7 +27,7 @@ std::string date_text(UtcTime time) {
   const UtcDay day = day_of(to_minute(time));
   const std::chrono::year_month_day date(day);
   return formatted("{} {} {}", weekday_of(day), static_cast<unsigned>(date.day()),
-                   months.at(static_cast<unsigned>(date.month()) - 1));
+                   month_names.at(static_cast<unsigned>(date.month()) - 1));
 }
 
 std::string PageClock::local(UtcTime time) const {

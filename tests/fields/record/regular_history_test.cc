@@ -50,6 +50,8 @@ TEST(RegularHistory, AValueHoldsOverItsOwnStep) {
   EXPECT_TRUE(std::isnan(coarse[6])) << "no longer than three hours";
   EXPECT_EQ(coarse[14], 720);
   EXPECT_TRUE(std::isnan(history.values[0][6]));
+  EXPECT_EQ(history.own_step,
+            (std::vector<Duration>{std::chrono::hours(1), std::chrono::hours(3)}));
   ASSERT_EQ(history.notes.size(), 1U);
   EXPECT_NE(history.notes[0].find("three-hourly is given every 3 h"), std::string::npos);
 }

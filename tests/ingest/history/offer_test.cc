@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fields/base/error.h"
+#include "tests/support/contains.h"
 #include "tests/support/shared_data.h"
 
 namespace slackwater::ingest::offer_test {
@@ -52,6 +53,43 @@ TEST(SeveralOfOneQuantity, TheOneThatTheUserNamesIsMeant) {
   }
   offers[0].is_named = offers[2].is_named = true;
   EXPECT_THROW(static_cast<void>(making_of("wind_speed", offers, words)), Error);
+}
+
+/// A wind at 10 m and at 100 m: a vector is never mixed of both.
+TEST(SeveralOfOneQuantity, OfAVectorBothComponentsAreNamed) {
+  const Vocabulary words =
+      Vocabulary::load(slackwater::tests::source_folder() / "data" / "products" / "variables.yaml");
+  std::vector<Offer> offers{{"eastward_wind", "eastward_wind", "m s-1"},
+                            {"northward_wind", "northward_wind", "m s-1"},
+                            {"u100", "eastward_wind", "m s-1", true}};
+  try {
+    static_cast<void>(making_of("wind_speed", offers, words));
+    ADD_FAILURE() << "u100 met the northward wind of another height";
+  } catch (const Error& error) {
+    EXPECT_TRUE(slackwater::tests::contains(
+        error.message(), "found 'u100' named as eastward_wind and 'northward_wind' not named"))
+        << error.message();
+  }
+  offers.push_back({"v100", "northward_wind", "m s-1", true});
+  const auto made = making_of("wind_speed", offers, words);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->first, 2U);
+  EXPECT_EQ(made->second, 3U);
+}
+
+TEST(SeveralOfOneQuantity, ASpeedBesideADirectionMadeOfComponentsIsPointedOut) {
+  const Vocabulary words =
+      Vocabulary::load(slackwater::tests::source_folder() / "data" / "products" / "variables.yaml");
+  std::vector<Offer> offers{{"wind_speed", "wind_speed", "m s-1"},
+                            {"u100", "eastward_wind", "m s-1", true},
+                            {"v100", "northward_wind", "m s-1", true}};
+  const std::vector<std::string> both{"wind_speed", "wind_from_direction"};
+  EXPECT_EQ(made_apart(both, offers, words),
+            (std::vector<std::string>{"wind_speed is of 'wind_speed' and wind_from_direction of "
+                                      "'u100' and 'v100': make sure that both are of one height"}));
+  EXPECT_TRUE(made_apart({"wind_speed"}, offers, words).empty());
+  offers.erase(offers.begin());
+  EXPECT_TRUE(made_apart(both, offers, words).empty());
 }
 
 TEST(PartsOfAVector, ComponentsOfOtherUnitsAreRefused) {

@@ -7,6 +7,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/random.h"
+#include "twin/risk/calendar.h"
 
 namespace slackwater::twin::extremes_test {
 namespace {
@@ -49,6 +50,17 @@ TEST(YearMaxima, OfYearsThatAreComplete) {
   EXPECT_EQ(maxima.front().year, 2002);
   EXPECT_EQ(maxima.front().value, 5);
   EXPECT_EQ(maxima.front().step, 284U);
+}
+
+/// A winter's storms are of December and January: a year without one of its months may have had its
+/// greatest there.
+TEST(YearMaxima, AYearWithoutAMonthIsNotComplete) {
+  const StepClock clock{parse_utc("2001-01-01T00:00:00Z"), std::chrono::hours(24), 365};
+  std::vector<double> values(clock.steps, 1);
+  std::fill_n(values.begin(), 15, nan);
+  EXPECT_EQ(year_maxima(values, clock).size(), 1U);
+  std::fill_n(values.begin(), 16, nan);  // 349 of 365 days are known, 15 of January
+  EXPECT_EQ(year_maxima(values, clock).size(), 0U);
 }
 
 /// Storms of one step, as many as a Poisson number of so many a year, with Pareto peaks.
@@ -151,8 +163,8 @@ TEST(StormExtremes, OfAMadeUpSeaAreThoseItWasMadeWith) {
   const Extremes found = extremes_of(sea.values, sea.clock, question);
   ASSERT_EQ(found.no_peaks, NoPeaks::none);
   ASSERT_TRUE(found.peaks);
-  EXPECT_NEAR(found.years_known, 40, 0.001);
-  EXPECT_NEAR(found.peaks->storms_per_year, 12, 0.1);
+  EXPECT_EQ(found.years_known, 40);
+  EXPECT_EQ(found.peaks->storms, 480U);
   EXPECT_LE(found.peaks->shape.low, -0.1);
   EXPECT_GE(found.peaks->shape.high, -0.1);
   for (const ReturnValue& one : found.peaks->returns) {
@@ -163,26 +175,50 @@ TEST(StormExtremes, OfAMadeUpSeaAreThoseItWasMadeWith) {
     EXPECT_LE(one.interval.low, one.value);
     EXPECT_GE(one.interval.high, one.value);
   }
-  // Maxima of years tell of the same sea.
+  // Maxima of years tell of the same sea: the ways differ by less than their intervals.
   ASSERT_TRUE(found.gumbel && found.extreme_value);
   EXPECT_EQ(found.maxima.size(), 40U);
-  EXPECT_NEAR(found.extreme_value->returns[1].value, found.peaks->returns[1].value, 0.5);
+  const Interval90& ten_years = found.peaks->returns[1].interval;
+  EXPECT_LE(found.extreme_value->returns[1].interval.low, ten_years.high);
+  EXPECT_GE(found.extreme_value->returns[1].interval.high, ten_years.low);
   // Neighbouring thresholds tell the same: a Pareto tail stays one above any threshold.
   ASSERT_GE(found.other_thresholds.size(), 3U);
-  for (const PeaksFit& other : found.other_thresholds)
-    if (other.threshold >= 4)
-      EXPECT_NEAR(other.returns[1].value, found.peaks->returns[1].value, 0.5) << other.threshold;
+  for (const PeaksFit& other : found.other_thresholds) {
+    if (other.threshold < 4) continue;
+    EXPECT_GE(other.returns[1].value, ten_years.low) << other.threshold;
+    EXPECT_LE(other.returns[1].value, ten_years.high) << other.threshold;
+  }
 }
 
-TEST(StormExtremes, AThresholdIsChosenByTheStormsOfAYear) {
+TEST(StormExtremes, AThresholdIsTheGreatestWithTheStormsOfAYear) {
   const MadeUpSea sea = made_up_sea(20, {1.0, 0}, 4);
-  ExtremesQuestion question;
+  const ExtremesQuestion question;
   const Extremes found = extremes_of(sea.values, sea.clock, question);
   ASSERT_TRUE(found.peaks);
+  EXPECT_TRUE(found.has_rate());
+  EXPECT_EQ(found.rate, 5);
   EXPECT_GE(found.peaks->storms_per_year, 5);
-  EXPECT_LE(found.peaks->storms_per_year, 6.5);
+  for (const double higher : possible_thresholds(sea.values)) {
+    if (higher > found.peaks->threshold)
+      EXPECT_LT(storm_peaks(sea.values, higher, question.separation_steps).size(), 100U) << higher;
+  }
   for (std::size_t i = 1; i < found.other_thresholds.size(); ++i)
     EXPECT_LT(found.other_thresholds[i - 1].threshold, found.other_thresholds[i].threshold);
+}
+
+/// Twelve storms a year are in it, and no threshold has three hundred that are two days apart.
+TEST(StormExtremes, ARateThatNoThresholdHasIsNotSaidToBeReached) {
+  const MadeUpSea sea = made_up_sea(20, {1.0, 0}, 4);
+  ExtremesQuestion question;
+  question.storms_per_year = 300;
+  const Extremes found = extremes_of(sea.values, sea.clock, question);
+  ASSERT_TRUE(found.peaks);
+  EXPECT_FALSE(found.has_rate());
+  for (const double other : possible_thresholds(sea.values))
+    EXPECT_LE(storm_peaks(sea.values, other, question.separation_steps).size(),
+              found.peaks->storms);
+  question.threshold = 4;
+  EXPECT_EQ(extremes_of(sea.values, sea.clock, question).rate, 0);
 }
 
 TEST(StormExtremes, TheSameSeedIsTheSameAnswer) {
@@ -251,6 +287,96 @@ TEST(StormExtremes, WhatIsTooShortIsRefused) {
   EXPECT_EQ(extremes_of(thin, longer.clock, {}).no_peaks, NoPeaks::short_history);
 }
 
+/// Means of a month, on their own clock or laid on one of hours.
+TEST(StormExtremes, OfCoarseStepsThereAreNone) {
+  const StepClock months{parse_utc("1980-01-01T00:00:00Z"), std::chrono::minutes(43830), 360};
+  Rng random(6, "tests/coarse_steps");
+  std::vector<double> values(months.steps);
+  for (double& value : values) value = random.uniform(0.5, 2.5);
+  const Extremes found = extremes_of(values, months, {});
+  EXPECT_EQ(found.no_peaks, NoPeaks::coarse_steps);
+  EXPECT_FALSE(found.peaks || found.gumbel);
+  EXPECT_TRUE(found.maxima.empty());
+  const MadeUpSea sea = made_up_sea(12, {1.0, 0}, 4);
+  ExtremesQuestion question;
+  for (const auto& [hours, expected] :
+       {std::pair{6, NoPeaks::none}, std::pair{7, NoPeaks::coarse_steps}}) {
+    question.value_step = std::chrono::hours(hours);
+    EXPECT_EQ(extremes_of(sea.values, sea.clock, question).no_peaks, expected) << hours;
+  }
+  question.value_step = std::chrono::hours(3);
+  question.separation_steps = 2;
+  EXPECT_EQ(extremes_of(sea.values, sea.clock, question).no_peaks, NoPeaks::coarse_steps);
+}
+
+/// Twelve years, of which summers, or all but the Januaries, are known.
+TEST(StormExtremes, OfAPartOfTheYearAreNotThoseOfAYear) {
+  MadeUpSea sea = made_up_sea(12, {1.0, 0}, 4);
+  const auto without = [&](const auto& is_left_out) {
+    std::vector<double> values = sea.values;
+    for (const MonthSteps& month : months_of(sea.clock, std::nullopt))
+      if (is_left_out(month))
+        std::fill(values.begin() + static_cast<std::ptrdiff_t>(month.steps.begin),
+                  values.begin() + static_cast<std::ptrdiff_t>(month.steps.end), nan);
+    return extremes_of(values, sea.clock, {});
+  };
+  const Extremes summers =
+      without([](const MonthSteps& one) { return one.month < 5 || one.month > 9; });
+  EXPECT_EQ(summers.no_peaks, NoPeaks::seasons_missing);
+  EXPECT_EQ(summers.months_missing, (std::vector{1, 2, 3, 4, 10, 11, 12}));
+  EXPECT_FALSE(summers.peaks || summers.gumbel);
+  EXPECT_TRUE(summers.other_thresholds.empty());
+  const Extremes thin =
+      without([](const MonthSteps& one) { return one.month == 1 && one.year % 3 != 0; });
+  EXPECT_EQ(thin.months_missing, (std::vector{1}));
+  EXPECT_EQ(thin.maxima.size(), 4U);
+  const Extremes enough =
+      without([](const MonthSteps& one) { return one.month == 1 && one.year % 3 == 0; });
+  EXPECT_EQ(enough.no_peaks, NoPeaks::none);
+}
+
+/// A heavy tail has no moments to fit it by; one that ends below a storm that came is wrong.
+TEST(StormExtremes, AFitThatIsNotGoodHasNoValue) {
+  ExtremesQuestion question;
+  question.return_years = {10};
+  std::vector<StormPeak> peaks;
+  const Pareto heavy{1, 0.8};
+  for (int i = 0; i < 100; ++i) peaks.push_back({0, 4 + heavy.exceeded_with((i + 0.5) / 100)});
+  const auto without_variance = peaks_fit(peaks, 4, 20, question);
+  ASSERT_TRUE(without_variance);
+  EXPECT_GE(without_variance->fit.shape, most_shape);
+  EXPECT_EQ(without_variance->returns[0].support, ReturnSupport::no_good_fit);
+  // Nearly even excesses have a shape near -1 and an end near the greatest: one beyond it.
+  peaks.clear();
+  for (int i = 0; i < 100; ++i) peaks.push_back({0, 4 + (i + 0.5) / 100});
+  peaks.push_back({0, 5.1});
+  const auto ends_too_soon = peaks_fit(peaks, 4, 20, question);
+  ASSERT_TRUE(ends_too_soon);
+  EXPECT_LT(ends_too_soon->upper_end(), 5.1);
+  EXPECT_EQ(ends_too_soon->returns[0].support, ReturnSupport::no_good_fit);
+  EXPECT_EQ(ends_too_soon->returns[0].value, 0);
+  std::vector<double> maxima;
+  for (int i = 0; i < 100; ++i) maxima.push_back((i + 0.5) / 100);
+  maxima.push_back(2);
+  const auto of_years = maxima_fit(maxima, true, question);
+  ASSERT_TRUE(of_years);
+  EXPECT_LT(of_years->fit.greatest(), 2);
+  EXPECT_EQ(of_years->returns[0].support, ReturnSupport::no_good_fit);
+}
+
+TEST(StormExtremes, OfAFitThatIsNotGoodOtherThresholdsAreLeft) {
+  const MadeUpSea sea = made_up_sea(20, {0.3, 0.9}, 5);
+  ExtremesQuestion question;
+  question.threshold = 4;
+  question.return_years = {1, 10};
+  const Extremes found = extremes_of(sea.values, sea.clock, question);
+  ASSERT_EQ(found.no_peaks, NoPeaks::no_good_fit);
+  ASSERT_TRUE(found.peaks);
+  for (const PeaksFit& one : found.other_thresholds)
+    for (const ReturnValue& value : one.returns)
+      EXPECT_EQ(value.support == ReturnSupport::no_good_fit, !one.is_good()) << one.threshold;
+}
+
 TEST(StormExtremes, WhatComesMoreOftenThanStormsIsBelowTheThreshold) {
   const MadeUpSea sea = made_up_sea(12, {1.0, 0}, 4);
   ExtremesQuestion question;
@@ -258,6 +384,21 @@ TEST(StormExtremes, WhatComesMoreOftenThanStormsIsBelowTheThreshold) {
   const Extremes found = extremes_of(sea.values, sea.clock, question);
   EXPECT_EQ(found.peaks->returns[0].support, ReturnSupport::below_threshold);
   EXPECT_EQ(found.peaks->returns[1].support, ReturnSupport::supported);
+}
+
+/// exp(-1/T) falls to nothing below a year, where a Gumbel has no end downwards.
+TEST(StormExtremes, MaximaOfYearsDoNotTellLessThanAYear) {
+  const MadeUpSea sea = made_up_sea(22, {1.0, 0}, 4);
+  ExtremesQuestion question;
+  question.return_years = {0.1, 0.99, 1};
+  const Extremes found = extremes_of(sea.values, sea.clock, question);
+  ASSERT_TRUE(found.gumbel && found.extreme_value);
+  for (const auto* fit : {&*found.gumbel, &*found.extreme_value}) {
+    EXPECT_EQ(fit->returns[0].support, ReturnSupport::below_year);
+    EXPECT_EQ(fit->returns[1].support, ReturnSupport::below_year);
+    EXPECT_EQ(fit->returns[2].support, ReturnSupport::supported);
+    EXPECT_DOUBLE_EQ(fit->returns[2].value, fit->fit.location);
+  }
 }
 
 }  // namespace
