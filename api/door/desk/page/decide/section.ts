@@ -20,7 +20,6 @@ export class Section {
   async show(coming: Promise<HTMLElement>): Promise<void> {
     this.asked += 1;
     const mine = this.asked;
-    this.body.setAttribute('aria-busy', 'true');
     this.wait();
     let made: HTMLElement;
     try {
@@ -34,14 +33,19 @@ export class Section {
   }
 
   /** What was there stays to be read; a mere note gives way. */
-  private wait(): void {
+  wait(): void {
+    this.body.setAttribute('aria-busy', 'true');
+    if (this.body.firstElementChild?.matches('.waiting')) return;
     const waiting = element('p', { class: 'waiting' }, 'Asking the server …');
     const first = this.body.firstElementChild;
-    if (first === null || first.matches('.note, .waiting')) this.body.replaceChildren(waiting);
+    if (first === null || first.matches('.note')) this.body.replaceChildren(waiting);
     else this.body.prepend(waiting);
   }
 
+  /** In place of all that was asked for: an answer that still comes is too late. */
   say(text: string, kind = 'note'): void {
+    this.asked += 1;
+    this.body.removeAttribute('aria-busy');
     this.body.replaceChildren(element('p', { class: kind }, text));
   }
 }
