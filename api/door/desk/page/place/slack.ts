@@ -61,6 +61,7 @@ export function slackPart(desk: Desk): HTMLElement {
   const line = element('p', { class: 'slack' });
   let answer: SlackAnswer | null = null;
   let asked = 0;
+  let of = ''; // what the answer belongs to
   const show = (): void => {
     const at_ms = hour_of(desk);
     const words = answer === null || at_ms === null ? '' : slack_text(look, answer, at_ms);
@@ -70,6 +71,12 @@ export function slackPart(desk: Desk): HTMLElement {
     asked += 1;
     const mine = asked;
     const { site, place, depth_m } = view.values;
+    const now = JSON.stringify([site, place, depth_m]);
+    if (now !== of) {
+      of = now;
+      answer = null;
+      show();
+    }
     const where = site === '' ? null : (place ?? (await place_of(server, site)));
     const came =
       where === null ? null : await fetch_slack(server, slack_path(site, where, depth_m));
