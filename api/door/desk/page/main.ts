@@ -7,7 +7,7 @@ import { keep_looks, kept_looks } from './look/kept';
 import { Look } from './look/look';
 import { listen_to_printer } from './look/paper';
 import { Tabs } from './look/tabs';
-import { topPart } from './look/top';
+import { link_words, topPart } from './look/top';
 import { mapPart } from './map/map';
 import { placePart } from './place/place';
 import { Server } from './server/server';
@@ -35,7 +35,7 @@ desk.onChange((changed) => {
     const site = server.sites?.sites.find(({ id }) => id === view.values.site);
     desk.look.site_zone = site?.time_zone ?? null;
   }
-  if (changed.has('server')) say_link();
+  if (changed.has('server') || changed.has('clock')) say_link();
 });
 
 by_id('top').append(topPart(desk));
@@ -73,15 +73,8 @@ function choose_site(): void {
 
 function say_link(): void {
   const notice = by_id('notice');
-  const { link } = server;
-  set_text(
-    notice,
-    link.is === 'gone'
-      ? 'The server does not answer. The page tries again by itself; what it shows was true ' +
-          `${new Date(link.since_ms).toISOString().slice(11, 16)} UTC by this computer's clock.`
-      : '',
-  );
-  set_hidden(notice, link.is === 'there');
+  set_text(notice, link_words(server, desk.look));
+  set_hidden(notice, server.link.is === 'there');
 }
 
 listen_to_printer(() => view.values.palette);

@@ -52,6 +52,7 @@ export function late_server(
   const view = new View({ ...first_view(), ...values });
   const server = new Server(ask, (what) => view.tell(new Set([what])));
   server.sites = sites;
+  server.heard_ms = Date.parse(sites.now);
   const desk: Desk = {
     view,
     server,
