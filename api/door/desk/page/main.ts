@@ -18,7 +18,11 @@ import { whatIfPart } from './what_if/what_if';
 by_id('built-without').remove();
 const otherwise = first_view(kept_looks());
 const view = new View(read_hash(location.hash, otherwise));
-const server = new Server(fetch.bind(window), (what) => view.tell(new Set([what])));
+const server = new Server(
+  fetch.bind(window),
+  (what) => view.tell(new Set([what])),
+  () => view.values.site,
+);
 const desk: Desk = {
   view,
   server,

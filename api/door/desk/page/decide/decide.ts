@@ -51,8 +51,7 @@ class Decide {
       this.source.node,
     );
     desk.onChange((changed) => {
-      if (changed.has('sites') || changed.has('site')) this.board.show(false);
-      if (changed.has('forecast')) this.board.show(true);
+      if (changed.has('sites') || changed.has('site')) this.board.show();
       const keys = ['clock', 'speed', 'directions'] as const;
       const is_first = changed.has('sites') && !this.is_drawn;
       const anew = changed.has('site') || changed.has('forecast') || this.is_past();
@@ -64,16 +63,16 @@ class Decide {
         details.open = true;
       }
     });
-    if (desk.server.sites !== null) this.board.show(false);
+    if (desk.server.sites !== null) this.board.show();
     this.redraw(true);
   }
 
-  /** Not the kept answer: its hours of today go on with the clock. */
+  /** From time to time anew: its hours of today go on with the clock. */
   private asked_anew(site: string): Promise<Answer<Report>> {
     const { server } = this.desk;
     const from = `/sites/${encodeURIComponent(site)}/report`;
     this.again_ms = Infinity;
-    const asked = server.fresh<Report>(from).then((body) => {
+    const asked = server.get<Report>(from).then((body) => {
       const begin = body.today === null ? Infinity : Date.parse(body.today.from);
       this.again_ms = Math.max(begin, server.now_ms() + LEAST_WAIT_MS);
       return { from, body };

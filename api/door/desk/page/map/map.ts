@@ -16,6 +16,8 @@ import { draw_place, draw_things, draw_water, screen } from './scene';
 import { depth_choice, place_choice } from './tools';
 
 const SNAP_PX = 14;
+const LOOK_AGAIN_MS = 600_000; // zones come into force
+const TRY_AGAIN_MS = 20_000;
 const COAST_ZOOM = 8.5; // some hundred kilometres
 const NO_FIELD: Field = { of: { currents: [], wind: [], waves: [] }, refused: [] };
 
@@ -109,9 +111,13 @@ export function mapPart(desk: Desk): HTMLElement {
     draw();
   };
   let asked = 0;
+  let asked_ms = 0;
+  const is_due = (): boolean =>
+    Date.now() - asked_ms > (site === null ? TRY_AGAIN_MS : LOOK_AGAIN_MS);
   const load = async (): Promise<void> => {
     asked += 1;
     const mine = asked;
+    asked_ms = Date.now();
     const id = view.values.site;
     if (site !== null && site.id !== id) {
       show_site(null);
@@ -124,7 +130,9 @@ export function mapPart(desk: Desk): HTMLElement {
     try {
       const next = await server.site(id);
       if (mine !== asked) return;
+      const has_field = field !== NO_FIELD && field.refused.length === 0;
       show_site(next);
+      if (has_field && field !== NO_FIELD) return; // it is only the site that was looked at again
       const came = await fetch_field(server, next);
       if (mine !== asked) return;
       field = came;
@@ -166,7 +174,7 @@ export function mapPart(desk: Desk): HTMLElement {
 
   desk.onChange((changed) => {
     if (changed.has('site') || changed.has('forecast')) void load();
-    else if (changed.has('sites') && view.values.site === '') void load();
+    else if (changed.has('sites') && (view.values.site === '' || is_due())) void load();
     else if (changed.has('server') && server.link.is === 'there' && site === null) void load();
     if (changed.has('map') || changed.has('place')) draw_soon();
     else if (!changed.has('panel')) draw_hour();

@@ -41,6 +41,7 @@ export class Server {
   constructor(
     private readonly ask: Ask,
     private readonly tell: (what: Told) => void,
+    private readonly viewed: () => string, // the site that is looked at
   ) {
     this.asked = new Asked((path) => this.fetch_json(path));
   }
@@ -57,18 +58,18 @@ export class Server {
   async watch(): Promise<void> {
     clearTimeout(this.timer);
     try {
-      const before = this.sites;
       const sites = await this.fetch_json<Sites>('/sites', {}, SITES_WITHIN_MS);
+      const before = this.sites;
       this.heard_ms = Date.parse(sites.now);
       this.server_ahead_ms = this.heard_ms - Date.now();
       this.sites = sites;
       this.set_link({ is: 'there' });
-      const instance = (of: Sites | null): string =>
-        (of?.sites ?? []).map(({ id, forecast }) => `${id} ${forecast?.instance}`).join();
-      if (before !== null && instance(before) !== instance(sites)) {
-        this.asked.forget();
-        this.tell('forecast');
-      }
+      const is_other = (id: string): boolean =>
+        before !== null && instance_of(before, id) !== instance_of(sites, id);
+      const all = new Set([...(before ?? sites).sites, ...sites.sites].map(({ id }) => id));
+      if ([...all].some(is_other)) this.asked.forget();
+      // What is in force elsewhere changes nothing of what is drawn.
+      if (is_other(this.viewed())) this.tell('forecast');
       this.tell('sites');
     } catch (problem) {
       if (!(problem instanceof Refused)) throw problem;
@@ -82,13 +83,9 @@ export class Server {
     this.timer = setTimeout(() => void this.watch(), wait_ms);
   }
 
-  /** An answer is kept until another forecast is in force. Throws Refused. */
+  /** An answer is kept for a minute, and no longer than its forecast. Throws Refused. */
   get<T>(path: string): Promise<T> {
     return this.asked.get<T>(path);
-  }
-  /** Asked anew, as for a mission under way. */
-  fresh<T>(path: string): Promise<T> {
-    return this.fetch_json<T>(path);
   }
   async post<T>(path: string, body: unknown): Promise<T> {
     return this.fetch_json<T>(path, {
@@ -162,6 +159,9 @@ export class Server {
     }
   }
 }
+
+const instance_of = ({ sites }: Sites, site: string): string =>
+  sites.find(({ id }) => id === site)?.forecast?.instance ?? '';
 
 async function problem_of(answer: Response): Promise<string | null> {
   try {

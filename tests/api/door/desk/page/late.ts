@@ -50,7 +50,11 @@ export function late_server(
       waiting.push(question);
     });
   const view = new View({ ...first_view(), ...values });
-  const server = new Server(ask, (what) => view.tell(new Set([what])));
+  const server = new Server(
+    ask,
+    (what) => view.tell(new Set([what])),
+    () => view.values.site,
+  );
   server.sites = sites;
   server.heard_ms = Date.parse(sites.now);
   const desk: Desk = {

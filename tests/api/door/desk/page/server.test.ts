@@ -29,7 +29,15 @@ function made_up(answers: Record<string, Answer>): {
     const status = answer.status ?? 200;
     return new Response(JSON.stringify(answer.body), { status });
   };
-  return { server: new Server(ask, (what) => told.push(what)), asked, told };
+  return {
+    server: new Server(
+      ask,
+      (what) => told.push(what),
+      () => 'bay',
+    ),
+    asked,
+    told,
+  };
 }
 const problem = (status: number, detail: string): Response =>
   new Response(JSON.stringify({ type: 'about:blank', title: 'x', status, detail }), { status });
@@ -138,6 +146,42 @@ test('AnotherForecastInForceMakesAllAnswersOld', async () => {
   expect(told).toContain('forecast');
   await server.site('bay');
   expect(asked.filter((path) => path === '/sites/bay').length).toBe(2);
+});
+
+test('AnotherForecastElsewhereIsNotToldButMakesAnswersOld', async () => {
+  const of = (bay: string, cove: string): Answer => ({
+    body: {
+      now: '2025-03-13T06:00:00Z',
+      sites: [
+        { id: 'bay', forecast: { instance: bay } },
+        { id: 'cove', forecast: { instance: cove } },
+      ],
+    },
+  });
+  const answers: Record<string, Answer> = { '/sites': of('a', 'a'), '/sites/cove': { body: 1 } };
+  const { server, told, asked } = made_up(answers);
+  await server.watch();
+  await server.site('cove');
+  answers['/sites'] = of('a', 'b');
+  await vi.advanceTimersByTimeAsync(31_000);
+  expect(told).not.toContain('forecast');
+  await server.site('cove');
+  expect(asked.filter((path) => path === '/sites/cove').length).toBe(2);
+});
+
+test('AnAnswerIsKeptForAMinuteAndSixtyFourAtMost', async () => {
+  const { server, asked } = made_up({ '/sites/bay': { body: { id: 'bay' } } });
+  const count = (): number => asked.filter((path) => path === '/sites/bay').length;
+  await server.site('bay');
+  await vi.advanceTimersByTimeAsync(59_000);
+  await server.site('bay');
+  expect(count()).toBe(1);
+  await vi.advanceTimersByTimeAsync(2_000);
+  await server.site('bay');
+  expect(count()).toBe(2);
+  for (let i = 0; i < 64; i += 1) await server.get(`/sites/bay?${i}`);
+  await server.site('bay');
+  expect(count()).toBe(3);
 });
 
 test('TheServersClockRules', async () => {
