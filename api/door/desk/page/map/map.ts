@@ -140,7 +140,7 @@ export function mapPart(desk: Desk): HTMLElement {
     } catch (problem) {
       if (!(problem instanceof Refused)) throw problem;
       if (mine !== asked) return;
-      say(`The map has no data: ${problem.detail}`);
+      if (site === null) say(`The map has no data: ${problem.detail}`);
     }
     draw();
     void load_coast(); // last: it weighs more than all the rest
