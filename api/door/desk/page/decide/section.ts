@@ -1,5 +1,5 @@
 // A part of the page that waits for one answer: what it shows meanwhile, and when none comes.
-import { element } from '../look/element';
+import { element, set_text } from '../look/element';
 import { Refused } from '../server/server';
 
 export function refusal_text(problem: unknown): string {
@@ -10,11 +10,17 @@ export function refusal_text(problem: unknown): string {
 export class Section {
   readonly node: HTMLElement;
   readonly body = element('div', { class: 'section-body' });
+  private readonly zone = element('span', { class: 'zone' });
   private asked = 0;
 
   constructor(title: string, name: string) {
-    const head = element('h2', { id: `decide-${name}` }, title);
+    const head = element('h2', { id: `decide-${name}` }, title, this.zone);
     this.node = element('section', { class: name, 'aria-labelledby': head.id }, head, this.body);
+  }
+
+  /** Once in the head: whose hours all that stands under it are. */
+  say_zone(zone_name: string): void {
+    set_text(this.zone, `, ${zone_name}`);
   }
 
   async show(coming: Promise<HTMLElement>): Promise<void> {
