@@ -24,6 +24,7 @@ const NO_FIELD: Field = { of: { currents: [], wind: [], waves: [] }, refused: []
 export function mapPart(desk: Desk): HTMLElement {
   const { view, server, look } = desk;
   let site: SiteMap | null = null;
+  let seen_ms = NaN; // when the site was described, by the server's clock
   let field = NO_FIELD;
   let size = { width: 0, height: 0 };
   const shown: Shown = { current: true, wind: true, waves: true, names: true };
@@ -77,7 +78,7 @@ export function mapPart(desk: Desk): HTMLElement {
     const box = { west, north, east: corner.longitude_deg, south: corner.latitude_deg };
     coast.setAttribute('d', coast_path(to, box));
     if (site === null) things.replaceChildren();
-    else draw_things(things, site, to, shown.names, look);
+    else draw_things(things, site, to, shown.names, look, seen_ms);
     draw_place(place, view.values.place ?? site?.place ?? null, to);
     aim.setAttribute('transform', `translate(${size.width / 2} ${size.height / 2})`);
     draw_bar(bar, from, size.height);
@@ -106,6 +107,7 @@ export function mapPart(desk: Desk): HTMLElement {
     const is_same = next?.id === site?.id && in_force(next) === in_force(site);
     if (!is_same) field = NO_FIELD;
     site = next;
+    seen_ms = server.now_ms();
     depth.show(site);
     where.show(site);
     draw();
