@@ -6,7 +6,7 @@ import type { SiteInSites } from '../server/answers';
 import { Refused } from '../server/server';
 import type { Answer } from './answer';
 import type { Report } from './answers';
-import { STATUS_TEXT, advice_of, counts_text, worst_first, type BoardReport } from './board_order';
+import { STATUS_TEXT, counts_text, worst_first, type BoardReport } from './board_order';
 import { OneByOne } from './one_by_one';
 import { verdict_badge } from './verdict_badge';
 
@@ -139,10 +139,8 @@ export class Board {
       return said === null ? 'none left' : verdict_badge(answer, key, said);
     };
     const age = site.forecast?.age_s;
-    const advice = advice_of(site);
     const words = [
       ...(site.status === 'ok' ? [] : [element('p', {}, site.in_words)]),
-      ...(advice === '' ? [] : [element('p', { class: 'advice' }, advice)]),
       ...(report.is === 'refused' ? [element('p', { class: 'refused' }, report.why)] : []),
       ...(report.is === 'there' ? [element('p', { class: 'headline' }, report.headline)] : []),
     ];
