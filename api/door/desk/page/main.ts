@@ -39,6 +39,7 @@ desk.onChange((changed) => {
     const site = server.sites?.sites.find(({ id }) => id === view.values.site);
     desk.look.site_zone = site?.time_zone ?? null;
   }
+  if (changed.has('sites') || changed.has('site')) name_page();
   if (changed.has('server') || changed.has('clock')) say_link();
 });
 
@@ -75,11 +76,21 @@ function choose_site(): void {
   if (view.values.site === '' && known[0] !== undefined) view.set({ site: known[0].id });
 }
 
+function name_page(): void {
+  const site = server.sites?.sites.find(({ id }) => id === view.values.site);
+  document.title = [...(site === undefined ? [] : [site.name]), 'The desk', 'Slackwater'].join(
+    ' · ',
+  );
+}
+
 function say_link(): void {
   const notice = by_id('notice');
   set_text(notice, link_words(server, desk.look));
   set_hidden(notice, server.link.is === 'there');
 }
 
-listen_to_printer(() => view.values.palette);
+listen_to_printer(
+  () => view.values.palette,
+  () => `${desk.look.time(server.now_ms())} ${desk.look.zone_name}`,
+);
 void server.watch();

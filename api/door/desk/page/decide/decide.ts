@@ -61,11 +61,6 @@ class Decide {
       if (is_first || anew || keys.some((key) => changed.has(key))) this.redraw(anew);
       if (changed.has('at_ms') || changed.has('sites')) this.mark_hour();
     });
-    window.addEventListener('beforeprint', () => {
-      for (const details of this.node.querySelectorAll<HTMLDetailsElement>('.task-cell details')) {
-        details.open = true;
-      }
-    });
     if (desk.server.sites !== null) this.board.show();
     this.redraw(true);
   }
