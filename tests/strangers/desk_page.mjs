@@ -42,8 +42,11 @@ if ((await (await fetch(`${address}/desk/page.js`)).text()) === "") {
 const [{ id, forecast }] = (await json(`${address}/sites`)).sites;
 const at = new Date(Date.parse(forecast.issued) + 3_600_000).toISOString().replace(/\.\d+Z$/, "Z");
 const restart = async () => ({ server } = await serve(port, "--at", at));
-server.kill();
-await sleep(300);
+const gone = async () => {
+  server.kill();
+  while (await fetch(address).catch(() => null)) await sleep(20);
+};
+await gone();
 await restart();
 
 const browser = await puppeteer.launch({
@@ -104,12 +107,18 @@ try {
   // The map by keys: zoomed, moved, and the place in the middle taken; a link shows the same.
   await page.evaluate(() => document.querySelector(".picture").focus());
   for (const key of ["+", "ArrowLeft", "ArrowUp", "+", "Enter"]) await page.keyboard.press(key);
-  await until(page, () => location.hash.includes("place=") && location.hash.includes("map="));
-  await sleep(400);
+  // The address is written a moment after the last key: it is whole once it stays the same.
+  const settled = (of) =>
+    until(of, () => {
+      const is_same = window.hash_before === location.hash && Date.now() - window.hash_since > 500;
+      if (window.hash_before !== location.hash) [window.hash_before, window.hash_since] = [location.hash, Date.now()];
+      return is_same && location.hash.includes("place=") && location.hash.includes("map=");
+    });
+  await settled(page);
   const hash = await page.evaluate(() => location.hash);
   const other = await open(hash.slice(1));
   await shows_place(other);
-  await sleep(400);
+  await settled(other);
   assert.equal(await other.evaluate(() => location.hash), hash);
   for (const where of [".time-chosen", ".place-part h2", ".facts"]) assert.equal(await text(other, where), await text(page, where));
   await other.close();
@@ -120,10 +129,11 @@ try {
   assert.equal(await page.$(".place-part section:not([hidden])"), null);
 
   // The server goes and comes back; the page says so, and goes on by itself.
-  server.kill();
+  await gone();
   await page.evaluate((to) => (location.hash = to), `#panel=place&place=${place.latitude_deg},${place.longitude_deg}`);
   await until(page, () => !document.querySelector("#notice").hidden);
-  assert.match(await text(page, "#notice"), /does not answer/);
+  assert.match(await text(page, "#notice"), /does not answer.* last heard .*UTC/);
+  assert.equal(await page.$eval(".top .status", (badge) => badge.dataset.status), "gone");
   await restart();
   await until(page, () => document.querySelector("#notice").hidden);
   await shows_place(page);

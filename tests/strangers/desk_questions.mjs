@@ -67,6 +67,14 @@ try {
   const hour = at.replace(/T(\d\d):.*/, "T$1:00:00Z");
   const degrees = (value) => `${String(Math.round(value) % 360).padStart(3, "0")}°`;
 
+  // As a person reads a chance: never nothing, never certain, and no rule reached that is missed.
+  const percent = (share) => {
+    if (share < 0.005) return "under 1 %";
+    if (share >= 0.995) return "over 99 %";
+    const whole = Math.round(100 * share);
+    return `${[0.9, 0.5].some((rule) => share < rule && whole >= 100 * rule) ? whole - 1 : whole} %`;
+  };
+
   const questions = {
     "May we go tomorrow?": async () => {
       const said = await page.$$eval(".day-head", (all) => all.at(-1).innerText);
@@ -76,10 +84,18 @@ try {
     "What stops the blade scan?": async () =>
       assert.ok((await task_text()).includes(scan.best.stopped_by.split(", exceeded at ")[0]), await task_text()),
     "How sure is that?": async () => {
-      const [low, high] = scan.best.interval_95.map((share) => Math.round(100 * share));
-      assert.ok((await task_text()).includes(`(${low} to ${high} %)`), await task_text());
+      const [low, high] = scan.best.interval_95.map((share) => percent(share).replace(" %", ""));
+      const interval = low === high ? percent(scan.best.interval_95[0]) : `${low} to ${high} %`;
+      assert.ok((await task_text()).includes(`${percent(scan.best.probability)} (${interval})`), await task_text());
     },
-    "How often were past goes right?": async () => assert.match(await task_text(), /past mornings?/),
+    // Held against the numbers themselves; where there are none the page has to say that nobody knows.
+    "How often were past goes right?": async () => {
+      const { past } = scan;
+      const said = await task_text();
+      if (past === null || past.mornings === 0) assert.match(said, /No past morning could be held against what came/);
+      else if (past.goes === 0) assert.match(said, new RegExp(`no start was a go over ${past.mornings} past morning`));
+      else assert.match(said, new RegExp(`of ${past.goes} goe?s? ${past.goes_held} held over ${past.mornings} past morning`));
+    },
     "Why not at noon?": async () => {
       const windows = await json(`${address}/sites/${id}/windows?from=${report.from}&to=${report.to}`);
       const { starts } = windows.tasks.find(({ task }) => task === "blade_scan");
@@ -125,8 +141,9 @@ try {
       const { slack } = await json(`${address}/sites/${id}/slack?depth=20`);
       const next = slack.find(({ to }) => to >= at);
       const till = next.ends_after ? "the end" : next.to.slice(11, 16);
-      await shows((said) => document.querySelector(".slack").innerText.includes(said), `to ${till}`);
-      assert.match(await text(".slack"), /^Slack at 20 m: .*below 0.50 m\/s, UTC/);
+      await shows((said) => document.querySelector(".slack").innerText.includes(said), `to ${till} (`);
+      const sure = next.sure_from === null ? "at no time nearly sure" : `nearly sure ${next.sure_from.slice(11, 16)} to ${next.sure_to.slice(11, 16)}`;
+      assert.match(await text(".slack"), new RegExp(`^Slack at 20 m: below 0.50 m/s, UTC: likely .*${sure}`));
     },
     "How high are the waves, and from where?": async () => {
       await tab("Water at the place");
@@ -135,16 +152,46 @@ try {
     },
     "What if the scan bore more wind?": async () => {
       await tab("What if");
-      const limit = await page.waitForSelector(".limit-list input");
-      await limit.click({ count: 3 });
+      await page.waitForSelector(".limit-list input");
+      const [label, now] = await page.$eval(".limit-list input", (input) => [input.closest(".field").querySelector("label").innerText, input.value]);
+      assert.match(label, /wind.* at most \(m\/s\)/);
+      const more = String(Number(now) + 4);
+      const task = await page.$eval(".what-if-fields select", (select) => select.value);
+      const coming = page.waitForResponse((it) => it.url().endsWith("/what-if"), { timeout: LIMIT_MS });
+      await (await page.$(".limit-list input")).click({ count: 3 });
       clicks += 1;
-      await page.keyboard.type("16");
+      await page.keyboard.type(more);
       await page.keyboard.press("Tab");
-      await shows((name) => document.querySelector(".what-if-result")?.innerText.includes(name), scan.name);
+      const response = await coming;
+      const { texts } = JSON.parse(response.request().postData());
+      assert.deepEqual(Object.keys(texts), ["tasks"]);
+      assert.match(texts.tasks[task], new RegExp(`wind\\w*: *${more}\\b`));
+      const told = await response.json();
+      const changed = told.windows.tasks.find((it) => it.task === task);
+      const best = changed.starts.find(({ start }) => start === changed.best?.start) ?? changed.starts.reduce((a, b) => (b.worth > a.worth ? b : a));
+      const row = `${percent(best.probability)} at ${best.start.slice(11, 16)}`;
+      await shows(
+        (name, said) => [...document.querySelectorAll(".what-if-result tbody tr")].some((it) => it.innerText.includes(name) && it.children[2].innerText.replace(/\s+/g, " ").includes(said)),
+        changed.name,
+        row,
+      );
     },
     "Did yesterday's forecast beat the tide alone?": async () => {
       await shows(() => document.querySelector(".before-section table"));
-      assert.match(await text(".before-section table"), /This forecast/);
+      const scores = await json(`${address}/sites/${id}/verification`);
+      const rows = await page.$$eval(".before-section table tbody tr", (all) =>
+        all.map((row) => [row.cells[0].innerText, row.querySelector("[data-key]")?.dataset.key, row.cells[1].innerText]),
+      );
+      // Ours and the tide's, of the same issue and lead: which is less is to be read off the two.
+      const ours = rows.find(([name]) => name === "This forecast");
+      const tide = rows.find(([name]) => /^Tide alone/.test(name));
+      for (const [, key, shown] of [ours, tide]) {
+        const [index, name] = key.split(".");
+        assert.ok(shown.startsWith(scores[index][name].toFixed(2)), `${shown} is not ${scores[index][name]}`);
+      }
+      const [a, b] = [ours, tide].map(([, key]) => scores[key.split(".")[0]]);
+      assert.deepEqual([a.issued, a.lead_h, a.variable], [b.issued, b.lead_h, b.variable]);
+      assert.equal(/less than ours/.test(tide[2]), b.rmse_m_s < a.rmse_m_s && b.rmse_m_s.toFixed(2) !== a.rmse_m_s.toFixed(2));
     },
   };
   function day(time) {
@@ -165,14 +212,35 @@ try {
 
   // Every number of the page is the server's.
   await page.waitForNetworkIdle({ timeout: LIMIT_MS });
-  const shown = await page.$$eval("[data-from]", (all) => all.map((it) => ({ ...it.dataset })));
+  const shown = await page.$$eval("[data-from]", (all) => all.map((it) => ({ ...it.dataset, text: it.textContent })));
   const answers = {};
-  for (const { from, key, value } of shown) {
+  // What is read, by the name of the value; what is drawn has no text.
+  const reads = {
+    probability: percent,
+    worth: percent,
+    start: (time) => time.slice(11, 16),
+    rmse: (error) => error.toFixed(2),
+    rmse_m_s: (error) => error.toFixed(2),
+    rival_rmse: (error) => error.toFixed(2),
+    value: (worth) => worth.toFixed(2),
+    verdict: (verdict) => ({ go: "Go", marginal: "Marginal", "no-go": "No-go" })[verdict],
+    headline: (words) => words,
+    futures: String,
+    name: (words) => words,
+    sha256: (sum) => sum.slice(0, 12),
+  };
+  let read = 0;
+  for (const { from, key, value, text: words } of shown) {
     answers[from] ??= await json(address + from);
     const there = key.split(".").reduce((whole, part) => whole?.[part], answers[from]);
     assert.equal(value, typeof there === "string" ? there : JSON.stringify(there ?? null), `${from} ${key}`);
+    const as_read = reads[key.split(".").at(-1)];
+    if (words === "" || as_read === undefined || there === null) continue;
+    assert.ok(words.includes(as_read(there)), `${from} ${key}: "${words}" is not ${as_read(there)}`);
+    read += 1;
   }
-  console.log(`${shown.length} values of ${Object.keys(answers).length} answers are the server's`);
+  console.log(`${shown.length} values of ${Object.keys(answers).length} answers are the server's, ${read} of them read as text`);
+  assert.ok(read > 40);
   assert.ok(shown.length > 100);
 } finally {
   await browser.close();

@@ -7,7 +7,7 @@ import { keep_looks, kept_looks } from './look/kept';
 import { Look } from './look/look';
 import { listen_to_printer } from './look/paper';
 import { Tabs } from './look/tabs';
-import { topPart } from './look/top';
+import { link_words, topPart } from './look/top';
 import { mapPart } from './map/map';
 import { placePart } from './place/place';
 import { Server } from './server/server';
@@ -18,7 +18,11 @@ import { whatIfPart } from './what_if/what_if';
 by_id('built-without').remove();
 const otherwise = first_view(kept_looks());
 const view = new View(read_hash(location.hash, otherwise));
-const server = new Server(fetch.bind(window), (what) => view.tell(new Set([what])));
+const server = new Server(
+  fetch.bind(window),
+  (what) => view.tell(new Set([what])),
+  () => view.values.site,
+);
 const desk: Desk = {
   view,
   server,
@@ -35,7 +39,8 @@ desk.onChange((changed) => {
     const site = server.sites?.sites.find(({ id }) => id === view.values.site);
     desk.look.site_zone = site?.time_zone ?? null;
   }
-  if (changed.has('server')) say_link();
+  if (changed.has('sites') || changed.has('site')) name_page();
+  if (changed.has('server') || changed.has('clock')) say_link();
 });
 
 by_id('top').append(topPart(desk));
@@ -71,18 +76,21 @@ function choose_site(): void {
   if (view.values.site === '' && known[0] !== undefined) view.set({ site: known[0].id });
 }
 
-function say_link(): void {
-  const notice = by_id('notice');
-  const { link } = server;
-  set_text(
-    notice,
-    link.is === 'gone'
-      ? 'The server does not answer. The page tries again by itself; what it shows was true ' +
-          `${new Date(link.since_ms).toISOString().slice(11, 16)} UTC by this computer's clock.`
-      : '',
+function name_page(): void {
+  const site = server.sites?.sites.find(({ id }) => id === view.values.site);
+  document.title = [...(site === undefined ? [] : [site.name]), 'The desk', 'Slackwater'].join(
+    ' · ',
   );
-  set_hidden(notice, link.is === 'there');
 }
 
-listen_to_printer(() => view.values.palette);
+function say_link(): void {
+  const notice = by_id('notice');
+  set_text(notice, link_words(server, desk.look));
+  set_hidden(notice, server.link.is === 'there');
+}
+
+listen_to_printer(
+  () => view.values.palette,
+  () => `${desk.look.time(server.now_ms())} ${desk.look.zone_name}`,
+);
 void server.watch();

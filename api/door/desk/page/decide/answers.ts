@@ -123,6 +123,7 @@ export interface WindowsTask {
   assumed: string[];
   past: Past | null;
   starts: Start[];
+  best?: { start: string } | null; // by the server's own order of starts
   windows: Window[];
   windows_by_threshold: Window[];
   windows_by_alpha: Window[] | null;

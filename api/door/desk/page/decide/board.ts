@@ -6,17 +6,20 @@ import type { SiteInSites } from '../server/answers';
 import { Refused } from '../server/server';
 import type { Answer } from './answer';
 import type { Report } from './answers';
-import { STATUS_TEXT, advice_of, counts_text, worst_first, type BoardReport } from './board_order';
+import { STATUS_TEXT, counts_text, worst_first, type BoardReport } from './board_order';
 import { OneByOne } from './one_by_one';
 import { verdict_badge } from './verdict_badge';
 
 const MANY_SITES = 12;
+const LOOK_AGAIN_MS = 600_000; // a verdict is of the hours that are left
+const TRY_AGAIN_MS = 60_000;
 const HEADS = ['Site', 'Today', 'Next day', 'Forecast'];
 
 interface Row {
   site: SiteInSites;
   report: BoardReport;
   answer: Answer<Report> | null;
+  asked_ms: number; // -Infinity: it is to be asked for
   node: HTMLTableSectionElement;
 }
 
@@ -47,20 +50,16 @@ export class Board {
     }
   }
 
-  /** The sites as they are now; reports that came are kept until `anew`. */
-  show(anew: boolean): void {
+  /** The sites as they are now; what a report says of an older forecast goes. */
+  show(): void {
     const sites = this.desk.server.sites?.sites ?? [];
     const gone = new Set(this.rows.keys());
     for (const site of sites) {
       gone.delete(site.id);
-      const before = this.rows.get(site.id);
-      const is_same = before !== undefined && !anew;
-      const row: Row = before ?? this.new_row(site);
+      const row = this.rows.get(site.id) ?? this.new_row(site);
+      const is_same = row.site.forecast?.instance === site.forecast?.instance;
       row.site = site;
-      if (!is_same) {
-        row.report = { is: 'waiting' };
-        row.answer = null;
-      }
+      if (!is_same) this.set_report(row, { is: 'waiting' }, null, -Infinity);
       this.draw(row);
     }
     for (const id of gone) {
@@ -74,20 +73,30 @@ export class Board {
     this.want();
   }
 
-  /** Asks for the reports that nobody has asked for yet, the worst sites first. */
+  private set_report(
+    row: Row,
+    report: BoardReport,
+    answer: Answer<Report> | null,
+    asked_ms = row.asked_ms,
+  ): void {
+    Object.assign(row, { report, answer, asked_ms });
+  }
+
+  private is_due({ site, report, asked_ms }: Row): boolean {
+    const wait_ms = report.is === 'refused' ? TRY_AGAIN_MS : LOOK_AGAIN_MS;
+    return site.report !== null && Date.now() - asked_ms > wait_ms;
+  }
+
+  /** Asks for the reports that nobody has asked for lately, the worst sites first. */
   private want(): void {
     if (!this.details.open) return;
     const all = worst_first([...this.rows.values()]);
-    this.reports.add(
-      all
-        .filter((it) => it.report.is === 'waiting' && it.site.report !== null)
-        .map(({ site }) => site.id),
-    );
+    this.reports.add(all.filter((it) => this.is_due(it)).map(({ site }) => site.id));
   }
 
   private new_row(site: SiteInSites): Row {
     const node = element('tbody');
-    const row: Row = { site, report: { is: 'waiting' }, answer: null, node };
+    const row: Row = { site, report: { is: 'waiting' }, answer: null, asked_ms: -Infinity, node };
     this.rows.set(site.id, row);
     return row;
   }
@@ -96,16 +105,21 @@ export class Board {
     const row = this.rows.get(id);
     const from = row?.site.report ?? null;
     if (row === undefined || from === null) return;
+    const instance = row.site.forecast?.instance;
+    const is_old = (): boolean =>
+      this.rows.get(id) !== row || row.site.forecast?.instance !== instance;
+    row.asked_ms = Date.now();
     try {
       const body = await this.desk.server.get<Report>(from);
+      if (is_old()) return; // it is asked for again
       const today = body.today?.verdict ?? null;
-      row.answer = { from, body };
-      row.report = { is: 'there', today, next: body.verdict, headline: body.headline };
+      const report = { is: 'there', today, next: body.verdict, headline: body.headline } as const;
+      this.set_report(row, report, { from, body });
     } catch (problem) {
+      if (is_old()) return;
       const why = problem instanceof Refused ? problem.detail : 'The report could not be read.';
-      row.report = { is: 'refused', why };
+      this.set_report(row, { is: 'refused', why }, null);
     }
-    if (this.rows.get(id) !== row) return;
     this.draw(row);
     this.order();
   }
@@ -125,10 +139,8 @@ export class Board {
       return said === null ? 'none left' : verdict_badge(answer, key, said);
     };
     const age = site.forecast?.age_s;
-    const advice = advice_of(site);
     const words = [
       ...(site.status === 'ok' ? [] : [element('p', {}, site.in_words)]),
-      ...(advice === '' ? [] : [element('p', { class: 'advice' }, advice)]),
       ...(report.is === 'refused' ? [element('p', { class: 'refused' }, report.why)] : []),
       ...(report.is === 'there' ? [element('p', { class: 'headline' }, report.headline)] : []),
     ];

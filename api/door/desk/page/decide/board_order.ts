@@ -48,24 +48,6 @@ export const STATUS_TEXT: Record<SiteStatus, string> = {
   no_forecast: 'No forecast',
 };
 
-/** What to do about a status; empty where nothing is to be done. */
-export function advice_of({ id, status }: SiteInSites): string {
-  switch (status) {
-    case 'no_forecast':
-      return `Make the first forecast: slackwater forecast --site ${id}`;
-    case 'stale':
-      return `Make a new forecast: slackwater forecast --site ${id}`;
-    case 'degraded':
-      return `Fetch what is missing and issue again: slackwater forecast --site ${id}`;
-    case 'hindcast':
-      return `Made afterwards for a past day. For today: slackwater forecast --site ${id}`;
-    case 'unreadable':
-      return 'See what is broken: slackwater store check';
-    default:
-      return '';
-  }
-}
-
 /** "100 sites: 2 cannot be read, 3 old, 95 in force" */
 export function counts_text(sites: readonly SiteInSites[]): string {
   const parts = STATUS.flatMap((status) => {

@@ -1,34 +1,40 @@
 // The hours that are left today, and the day after beside them, task by task.
 import { element } from '../look/element';
-import { day_text, hour_text } from '../look/units';
 import { told, type Answer } from './answer';
 import type { Day, Report, ReportTask, Verdict } from './answers';
+import { day_name, hour_on, span_text, type Clock } from './clock';
 import { task_cell } from './task_cell';
 import { verdict_badge } from './verdict_badge';
 import { past_text } from './words';
 
 const VERDICTS: readonly Verdict[] = ['go', 'marginal', 'no-go'];
-const MARGINAL = 0.5; // the rule of the report, where nobody asked for another
 
-/** @param why_no_today  what is said where the report has no hours of today */
-export function days(answer: Answer<Report>, zone: string, why_no_today: string): HTMLElement {
+/** Whether the report's own day, which is told whole, has begun and not ended. */
+export function is_today({ from, to }: Day, now_ms: number): boolean {
+  return Date.parse(from) <= now_ms && now_ms < Date.parse(to);
+}
+
+/** @param why_no_today  what is said where the report has nothing of today */
+export function days(answer: Answer<Report>, clock: Clock, why_no_today: string): HTMLElement {
   const report = answer.body;
   const { today } = report;
-  const heads = element(
-    'div',
-    { class: 'day-heads' },
-    today === null
-      ? element(
-          'div',
-          { class: 'day-head' },
-          element('h3', {}, 'Today'),
-          element('p', {}, why_no_today),
-        )
-      : head(answer, 'today.', today, `Today from ${hour_text(Date.parse(today.from), zone)}`),
-    head(answer, '', report, day_text(Date.parse(report.from), zone)),
-  );
+  const heads = element('div', { class: 'day-heads' });
+  if (today !== null) {
+    const begin = hour_on(today.from, clock.zone, today.from);
+    heads.append(head(answer, 'today.', today, `Today from ${begin}`, clock));
+  } else if (!is_today(report, clock.now_ms)) {
+    heads.append(
+      element(
+        'div',
+        { class: 'day-head' },
+        element('h3', {}, 'Today'),
+        element('p', {}, why_no_today),
+      ),
+    );
+  }
+  heads.append(head(answer, '', report, title_of(report, clock), clock));
   const list = element('ol', { class: 'tasks' });
-  for (const name of names_of(report)) list.append(task_line(answer, name, zone));
+  for (const name of names_of(report)) list.append(task_line(answer, name, clock));
   const none =
     list.childElementCount === 0
       ? [element('p', {}, 'The site names no tasks, or none could be worked out.')]
@@ -44,11 +50,25 @@ export function days(answer: Answer<Report>, zone: string, why_no_today: string)
   );
 }
 
-function head(answer: Answer<Report>, key: string, day: Day, title: string): HTMLElement {
+/** "Fri 14 Mar", by the day that the report is of. */
+function title_of(report: Report, { now_ms }: Clock): string {
+  const day = day_name(report.day);
+  return is_today(report, now_ms) ? `Today, ${day}` : day;
+}
+
+function head(
+  answer: Answer<Report>,
+  key: string,
+  day: Day,
+  title: string,
+  clock: Clock,
+): HTMLElement {
+  const span = span_text(day.from, day.to, clock);
   return element(
     'div',
     { class: 'day-head' },
     element('h3', {}, title, ' ', verdict_badge(answer, `${key}verdict`, day.verdict)),
+    ...(span === '' ? [] : [element('p', { class: 'span' }, span)]),
     element(
       'p',
       { class: 'headline' },
@@ -70,22 +90,27 @@ function names_of({ today, tasks }: Report): string[] {
   return names.sort((a, b) => rank(a) - rank(b) || worth(b) - worth(a));
 }
 
-function task_line(answer: Answer<Report>, name: string, zone: string): HTMLElement {
+function task_line(answer: Answer<Report>, name: string, clock: Clock): HTMLElement {
   const report = answer.body;
   const at = (tasks: readonly ReportTask[] | undefined): number =>
     (tasks ?? []).findIndex(({ task }) => task === name);
   const now = at(report.today?.tasks);
   const next = at(report.tasks);
   const task = (report.tasks[next] ?? report.today?.tasks[now]) as ReportTask;
-  const cell = (title: string, key: string, of: ReportTask | undefined): HTMLElement =>
+  const cell = (
+    title: string,
+    day: string,
+    key: string,
+    of: ReportTask | undefined,
+  ): HTMLElement =>
     of === undefined
       ? element('p', { class: 'task-cell note' }, `${title}: nothing is said of it.`)
-      : task_cell(title, answer, key, of, zone, MARGINAL);
+      : task_cell(title, answer, key, of, clock, day);
   const cells = element('div', { class: 'cells' });
-  if (report.today !== null) {
-    cells.append(cell('Today', `today.tasks.${now}`, report.today.tasks[now]));
-  }
-  cells.append(cell(day_text(Date.parse(report.from), zone), `tasks.${next}`, report.tasks[next]));
+  const { today } = report;
+  if (today !== null)
+    cells.append(cell('Today', today.from, `today.tasks.${now}`, today.tasks[now]));
+  cells.append(cell(title_of(report, clock), report.day, `tasks.${next}`, report.tasks[next]));
   return element(
     'li',
     {},

@@ -6,7 +6,8 @@ import { time_of_ms } from '../view';
 import type { Answer } from './answer';
 import type { Decisions, Plan, Report, Score, Sources, Windows } from './answers';
 import { Board } from './board';
-import { days } from './days';
+import { day_name } from './clock';
+import { days, is_today } from './days';
 import { decisions_list } from './decisions_list';
 import { plan_gantt } from './plan_gantt';
 import { provenance } from './provenance';
@@ -36,7 +37,9 @@ class Decide {
   private shown: Shown = 'today';
   private is_drawn = false;
   private report: Promise<Answer<Report>> | null = null;
+  private asked = 0; // reports so far
   private again_ms = Infinity; // when the report is to be asked again
+  private round = 0; // of drawing: what comes for an older one is dropped
 
   constructor(private readonly desk: Desk) {
     this.board = new Board(desk);
@@ -51,36 +54,34 @@ class Decide {
       this.source.node,
     );
     desk.onChange((changed) => {
-      if (changed.has('sites') || changed.has('site')) this.board.show(false);
-      if (changed.has('forecast')) this.board.show(true);
+      if (changed.has('sites') || changed.has('site')) this.board.show();
       const keys = ['clock', 'speed', 'directions'] as const;
       const is_first = changed.has('sites') && !this.is_drawn;
       const anew = changed.has('site') || changed.has('forecast') || this.is_past();
       if (is_first || anew || keys.some((key) => changed.has(key))) this.redraw(anew);
       if (changed.has('at_ms') || changed.has('sites')) this.mark_hour();
     });
-    window.addEventListener('beforeprint', () => {
-      for (const details of this.node.querySelectorAll<HTMLDetailsElement>('.task-cell details')) {
-        details.open = true;
-      }
-    });
-    if (desk.server.sites !== null) this.board.show(false);
+    if (desk.server.sites !== null) this.board.show();
     this.redraw(true);
   }
 
-  /** Not the kept answer: its hours of today go on with the clock. */
+  /** From time to time anew: its hours of today go on with the clock. */
   private asked_anew(site: string): Promise<Answer<Report>> {
     const { server } = this.desk;
     const from = `/sites/${encodeURIComponent(site)}/report`;
     this.again_ms = Infinity;
-    const asked = server.fresh<Report>(from).then((body) => {
-      const begin = body.today === null ? Infinity : Date.parse(body.today.from);
-      this.again_ms = Math.max(begin, server.now_ms() + LEAST_WAIT_MS);
+    this.asked += 1;
+    const mine = this.asked;
+    const again = (at_ms: number): void => {
+      if (mine === this.asked) this.again_ms = at_ms;
+    };
+    const coming = server.get<Report>(from).then((body) => {
+      again(asked_again_ms(body, server.now_ms()));
       return { from, body };
     });
     // The first section tells it.
-    asked.catch(() => (this.again_ms = server.now_ms() + RETRY_MS));
-    return asked;
+    coming.catch(() => again(server.now_ms() + RETRY_MS));
+    return coming;
   }
 
   /** Whether the hours that were left have gone on by a start. */
@@ -106,8 +107,17 @@ class Decide {
     const in_force = server.forecast(site);
     if (anew || this.report === null) this.report = this.asked_anew(site);
     const { report } = this;
-    const zone = look.zone;
-    void this.now.show(report.then((it) => days(it, zone, this.why_no_today())));
+    this.round += 1;
+    const { round } = this;
+    this.gantts.clear();
+    const { zone, zone_name } = look;
+    for (const section of [this.now, this.starts, this.plan, this.before, this.decided])
+      section.say_zone(zone_name);
+    void this.now.show(
+      report.then((it) =>
+        days(it, { zone, zone_name, now_ms: server.now_ms() }, this.why_no_today(it.body)),
+      ),
+    );
     // Why there is none is said once, above.
     const without = (): HTMLElement =>
       element('p', { class: 'note' }, 'Not known without the report.');
@@ -118,8 +128,8 @@ class Decide {
       return it === null ? without() : make(it);
     };
     void this.trust.show(of_report((it) => trust_line(it, look)));
-    void this.starts.show(of_report((it) => this.windows(it)));
-    void this.plan.show(of_report((it) => this.planned(it)));
+    void this.starts.show(of_report((it) => this.windows(it, round)));
+    void this.plan.show(of_report((it) => this.planned(it, round)));
     void this.decided.show(
       this.get<Decisions>('/decisions').then((it) => decisions_list(it, site, look)),
     );
@@ -133,32 +143,28 @@ class Decide {
     void this.source.show(of_report(async (it) => provenance(it, in_force, await sources, look)));
   }
 
-  private why_no_today(): string {
-    const { server, view, look } = this.desk;
-    const in_force = server.forecast(view.values.site);
-    const issued = in_force === null ? null : Date.parse(in_force.issued);
-    const now_ms = server.now_ms();
-    if (issued !== null && Math.floor(issued / DAY_MS) < Math.floor(now_ms / DAY_MS)) {
-      const day = look.day(issued);
-      return `The forecast was issued on ${day}: it says nothing of the hours left today.`;
+  private why_no_today({ to, forecast }: Report): string {
+    if (this.desk.server.now_ms() >= Date.parse(to)) {
+      return `The forecast was issued on ${day_name(forecast.issued)}: it says nothing of today.`;
     }
     return 'No hours of today are left, or they could not be worked out.';
   }
 
   /** The Gantt of one day, with the choice of the other. */
-  private async windows(report: Answer<Report>): Promise<HTMLElement> {
+  private async windows(report: Answer<Report>, round: number): Promise<HTMLElement> {
     const { today } = report.body;
-    const { site } = this.desk.view.values;
     const frame = element('div');
     const at = element('div');
     const show = async (which: Shown): Promise<void> => {
+      if (round !== this.round) return;
       this.shown = which;
+      const is_old = (): boolean => this.shown !== which || round !== this.round;
       tabs.show(which);
       at.replaceChildren(element('p', { class: 'waiting' }, 'Asking the server …'));
       const hours = which === 'today' && today !== null ? `?from=${today.from}&to=${today.to}` : '';
       try {
         const answer = await this.get<Windows>(`/windows${hours}`);
-        if (this.shown !== which || this.desk.view.values.site !== site) return;
+        if (is_old()) return;
         const gantt = windows_gantt(answer, this.desk.look.zone, (at_ms) =>
           this.desk.view.set({ at_ms }),
         );
@@ -166,16 +172,16 @@ class Decide {
         at.replaceChildren(gantt.node);
         this.mark_hour();
       } catch (problem) {
+        if (is_old()) return;
         const why = problem instanceof Refused ? problem.detail : String(problem);
         at.replaceChildren(element('p', { class: 'refused' }, why));
       }
     };
-    const day = this.desk.look.day(Date.parse(report.body.from));
     const tabs = choice<Shown>(
       'Which day',
       [
         ['today', 'Today'],
-        ['next', day],
+        ['next', day_name(report.body.day)],
       ],
       (which) => void show(which),
     );
@@ -186,7 +192,7 @@ class Decide {
   }
 
   /** The plan of the report; where it has none the plan's own answer says why. */
-  private async planned(report: Answer<Report>): Promise<HTMLElement> {
+  private async planned(report: Answer<Report>, round: number): Promise<HTMLElement> {
     const { plan, no_plan } = report.body;
     const zone = this.desk.look.zone;
     let gantt: Gantt;
@@ -208,8 +214,10 @@ class Decide {
         );
       }
     }
-    this.gantts.set('plan', gantt);
-    this.mark_hour();
+    if (round === this.round) {
+      this.gantts.set('plan', gantt);
+      this.mark_hour();
+    }
     return gantt.node;
   }
 
@@ -217,6 +225,13 @@ class Decide {
     const at_ms = this.desk.view.values.at_ms ?? this.desk.server.now_ms();
     for (const gantt of this.gantts.values()) gantt.at(at_ms);
   }
+}
+
+/** Its hours of today go on by a start; a whole day has starts that pass; else a day begins. */
+export function asked_again_ms(report: Report, now_ms: number): number {
+  if (report.today !== null) return Math.max(Date.parse(report.today.from), now_ms + LEAST_WAIT_MS);
+  if (is_today(report, now_ms)) return now_ms + LEAST_WAIT_MS;
+  return (Math.floor(now_ms / DAY_MS) + 1) * DAY_MS;
 }
 
 function day_before(day: string, days: number): string {

@@ -2,23 +2,23 @@
 
 export class OneByOne<T> {
   private readonly waiting: T[] = [];
-  private at_work: T | null = null;
+  private is_at_work = false;
 
   /** @param work  never rejects */
   constructor(private readonly work: (what: T) => Promise<void>) {}
 
+  /** What waits already is not added again; what is at work may be wanted anew. */
   add(what: readonly T[]): void {
-    const known = new Set([...this.waiting, this.at_work]);
-    this.waiting.push(...what.filter((it) => !known.has(it)));
+    this.waiting.push(...what.filter((it) => !this.waiting.includes(it)));
     void this.run();
   }
 
   private async run(): Promise<void> {
-    if (this.at_work !== null) return;
+    if (this.is_at_work) return;
+    this.is_at_work = true;
     for (let next = this.waiting.shift(); next !== undefined; next = this.waiting.shift()) {
-      this.at_work = next;
       await this.work(next);
     }
-    this.at_work = null;
+    this.is_at_work = false;
   }
 }

@@ -1,8 +1,8 @@
 // All that is known of one start, in words.
 import { button, element } from '../look/element';
-import { hour_text } from '../look/units';
 import { told, told_by, type Answer } from './answer';
 import type { Range, Windows, WindowsTask } from './answers';
+import { hour_on } from './clock';
 import { allowed_text, binding_text, chance_text, interval_text } from './words';
 
 type Line = readonly [string, Node | string];
@@ -57,7 +57,11 @@ export function start_detail(
       : start.worth >= answer.body.rules.marginal
         ? 'Main limit'
         : 'What stops it',
-    element('span', told_by(answer, `${key}.binding.limit`), binding_text(start, zone)),
+    element(
+      'span',
+      told_by(answer, `${key}.binding.limit`),
+      binding_text(start, zone, answer.body.from),
+    ),
   ]);
   lines.push(['The central forecast alone', allowed_text(start.threshold, null)]);
   lines.push(['The usual safety margins', allowed_text(start.alpha, task.no_alpha)]);
@@ -69,7 +73,7 @@ export function start_detail(
   for (const [name, text] of lines) {
     list.append(element('dt', {}, name), element('dd', {}, text));
   }
-  const hour = hour_text(at_ms, zone);
+  const hour = hour_on(start.start, zone, answer.body.from);
   return element(
     'div',
     { class: 'start-detail' },

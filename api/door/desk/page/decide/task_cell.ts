@@ -1,13 +1,14 @@
 // What one day says of one task: the verdict, the best start, what binds, what nobody checked.
 import { element } from '../look/element';
-import { hour_text } from '../look/units';
 import { told, told_by, type Answer } from './answer';
 import type { Range, Report, ReportTask } from './answers';
+import { hour_on, type Clock } from './clock';
 import { verdict_badge } from './verdict_badge';
-import { chance_text, counted, interval_text, with_hours } from './words';
+import { RULES, chance_nodes, chance_text, counted, interval_text, with_hours } from './words';
 
 /**
  * @param title which day
+ * @param day which that is: hours of another have their weekday
  * @param key where the task stands in the report: "today.tasks.3" or "tasks.3"
  */
 export function task_cell(
@@ -15,9 +16,10 @@ export function task_cell(
   answer: Answer<Report>,
   key: string,
   task: ReportTask,
-  zone: string,
-  marginal: number,
+  clock: Clock,
+  day: string,
 ): HTMLElement {
+  const { zone } = clock;
   const cell = element('div', { class: 'task-cell' });
   const { best } = task;
   const first = element(
@@ -31,12 +33,13 @@ export function task_cell(
   if (best === null) {
     first.append(' There is no start.');
   } else {
-    const hour = (time: string): string => hour_text(Date.parse(time), zone);
+    const hour = (time: string): string => hour_on(time, zone, day);
+    const is_over = Date.parse(best.start) < clock.now_ms;
     first.append(
       ' best ',
       told(answer, `${key}.best.start`, hour),
-      ', ',
-      element('strong', {}, told(answer, `${key}.best.probability`, chance_text)),
+      is_over ? ' (over), ' : ', ',
+      element('strong', {}, ...chance_nodes(answer, `${key}.best`, best)),
       ' ',
       element(
         'span',
@@ -53,14 +56,14 @@ export function task_cell(
         ' succeed',
       );
     }
-    const binds = best.worth >= marginal ? 'Main limit: ' : 'What stops it: ';
+    const binds = best.worth >= RULES.marginal ? 'Main limit: ' : 'What stops it: ';
     const said = told_by(answer, `${key}.best.stopped_by`);
     cell.append(
       element(
         'p',
         { class: 'binds' },
         binds,
-        element('span', said, with_hours(best.stopped_by, zone)),
+        element('span', said, with_hours(best.stopped_by, zone, day)),
       ),
     );
   }
@@ -68,7 +71,7 @@ export function task_cell(
     const assumed = `Assumed, not forecast: ${task.assumed.join('; ')}`;
     cell.append(element('p', { class: 'binds' }, assumed));
   }
-  const help = helps(answer, key, task, zone);
+  const help = helps(answer, key, task, (time) => hour_on(time, zone, day));
   const count = task.not_checked.length;
   const parts = [
     ...(count > 0 ? [`${counted(count, 'limit')} not checked`] : []),
@@ -91,7 +94,12 @@ export function task_cell(
 }
 
 /** The one limit without which the best start gains most. */
-function helps(answer: Answer<Report>, key: string, task: ReportTask, zone: string): HTMLElement[] {
+function helps(
+  answer: Answer<Report>,
+  key: string,
+  task: ReportTask,
+  hour: (time: string) => string,
+): HTMLElement[] {
   const help = task.would_help?.limits[0];
   if (task.verdict === 'go' || help === undefined) return [];
   const of = `${key}.would_help.limits.0`;
@@ -104,7 +112,7 @@ function helps(answer: Answer<Report>, key: string, task: ReportTask, zone: stri
       ' it is ',
       told(answer, `${of}.probability`, chance_text),
       ' at ',
-      told(answer, `${of}.start`, (time: string) => hour_text(Date.parse(time), zone)),
+      told(answer, `${of}.start`, hour),
       '.',
     ),
   ];

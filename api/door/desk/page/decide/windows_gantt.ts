@@ -113,6 +113,7 @@ function listen(
 
 function legend({ rules, tasks }: Windows): HTMLElement {
   const percent = (share: number): string => `${Math.round(100 * share)} %`;
+  const is_flown = tasks.some(({ starts }) => starts.some((it) => it.worth < it.probability));
   const mark = (kind: string, text: string): HTMLElement =>
     element('span', { class: 'key' }, element('i', { class: `mark ${kind}` }), text);
   const alpha = tasks.find(({ no_alpha }) => no_alpha !== null)?.no_alpha ?? null;
@@ -129,6 +130,7 @@ function legend({ rules, tasks }: Windows): HTMLElement {
       'span',
       { class: 'note' },
       'The height is the chance that all limits hold from that start to the way home. ' +
+        (is_flown ? 'Where flights succeed less often, it is what the start counts as. ' : '') +
         'Press a start, or use the arrow keys, to read why.' +
         (alpha === null ? '' : ` Where there is no alpha bar: ${allowed_text(null, alpha)}.`),
     ),

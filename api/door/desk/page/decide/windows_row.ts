@@ -1,11 +1,11 @@
 // One task's starts as a row: the height, the fill and the number of a column are its chance.
 import { drawn } from '../look/element';
-import { hour_text } from '../look/units';
 import { told_by, type Answer } from './answer';
 import type { Start, Windows, WindowsTask } from './answers';
 import type { Axis } from './axis';
 import { hour_line, tick_lines } from './axis_drawing';
-import { binding_text, chance_text, interval_text } from './words';
+import { hour_on } from './clock';
+import { binding_text, chance_text, interval_text, percent_of } from './words';
 
 const TOP = 14; // the numbers stand here
 const FULL = 40; // a column of 100 %
@@ -32,10 +32,11 @@ export function fill_of(worth: number, rules: Windows['rules']): 'go' | 'margina
 }
 
 /** What a screen reader says of a start. */
-export function start_text(start: Start, zone: string): string {
+function start_text(start: Start, zone: string, day: string): string {
+  const counts = start.worth < start.probability ? `, counts as ${chance_text(start.worth)}` : '';
   return (
-    `${hour_text(Date.parse(start.start), zone)}: ${chance_text(start.worth)}, ` +
-    `interval ${interval_text(start.interval_95)}. ${binding_text(start, zone)}`
+    `${hour_on(start.start, zone, day)}: ${chance_text(start.probability)}${counts}, ` +
+    `interval ${interval_text(start.interval_95)}. ${binding_text(start, zone, day)}`
   );
 }
 
@@ -64,7 +65,7 @@ export function windows_row(
     ...tick_lines(axis, zone, row_height),
     drawn('line', { class: 'base', x1: 0, x2: '100%', y1: TOP + column, y2: TOP + column }),
   );
-  const best = task.starts[first_named(task)]?.start ?? '';
+  const best = task.starts[best_start(task)]?.start ?? '';
   const always = new Set([best, ...task.windows.map((window) => window.best)]);
   task.starts.forEach((start, s) => {
     const at_ms = Date.parse(start.start);
@@ -81,7 +82,7 @@ export function windows_row(
     const told = told_by(answer, `tasks.${t}.starts.${s}.worth`);
     svg.append(drawn('rect', { class: `start ${fill}`, x, y, width, height, ...hatched, ...told }));
     if (start.worth < LEAST_TOLD) return;
-    const number = String(Math.min(99, Math.round(100 * start.worth)));
+    const number = String(Math.min(99, percent_of(start.worth, answer.body.rules)));
     const at = { x: axis.x(at_ms + every_ms / 2), y: y - 3, 'text-anchor': 'middle' };
     const when = always.has(start.start) ? 'number always' : 'number';
     svg.append(drawn('text', { class: when, ...at }, number));
@@ -106,7 +107,7 @@ export function windows_row(
     if (start === undefined) return;
     named = s;
     svg.setAttribute('aria-valuenow', String(named));
-    svg.setAttribute('aria-valuetext', start_text(start, zone));
+    svg.setAttribute('aria-valuetext', start_text(start, zone, answer.body.from));
   };
   name(first_named(task));
   return {
@@ -121,12 +122,19 @@ export function windows_row(
   };
 }
 
-/** Where the keys begin: the start of most worth, of equal ones the first. */
-export function first_named(task: WindowsTask): number {
-  return task.starts.reduce(
-    (best, start, s) => (start.worth > (task.starts[best]?.worth ?? -1) ? s : best),
-    0,
+/** The start that the server calls the best, as in its report; -1 where there is none. */
+export function best_start({ best, starts }: WindowsTask): number {
+  if (best !== undefined) return starts.findIndex(({ start }) => start === best?.start);
+  // A server that does not say: the start of most worth, of equal ones the first.
+  return starts.reduce(
+    (most, { worth }, s) => (worth > (starts[most]?.worth ?? -1) ? s : most),
+    -1,
   );
+}
+
+/** Where the keys begin. */
+export function first_named(task: WindowsTask): number {
+  return Math.max(0, best_start(task));
 }
 
 function bars(

@@ -1,10 +1,10 @@
 // The starts of the tasks as tables, for who reads rather than looks. Made when they are opened.
 import { element, scroll_region } from '../look/element';
-import { hour_text } from '../look/units';
 import { told, type Answer } from './answer';
 import type { Range, Windows, WindowsTask } from './answers';
 import { opened, table_of } from './table';
-import { binding_text, chance_text, interval_text } from './words';
+import { hour_on } from './clock';
+import { binding_text, chance_nodes, interval_text } from './words';
 
 const yes_no = (allowed: boolean | null): string =>
   allowed === null ? 'no answer' : allowed ? 'yes' : 'no';
@@ -26,12 +26,12 @@ function windows_table(
   const rows = task.starts.map((start, s) => {
     const key = `tasks.${t}.starts.${s}`;
     return [
-      hour_text(Date.parse(start.start), zone),
-      told(answer, `${key}.worth`, chance_text),
+      hour_on(start.start, zone, answer.body.from),
+      element('span', {}, ...chance_nodes(answer, key, start)),
       told(answer, `${key}.interval_95`, (range: Range) => interval_text(range)),
       yes_no(start.threshold),
       yes_no(start.alpha),
-      binding_text(start, zone),
+      binding_text(start, zone, answer.body.from),
     ];
   });
   const heads = ['Start', 'Chance', '95 % interval', 'Central forecast', 'Alpha', 'What binds'];

@@ -42,7 +42,7 @@ export class Look {
   }
   /** "UTC", or the site's zone by its name. */
   get zone_name(): string {
-    if (this.zone !== 'UTC') return this.zone.replace('_', ' ');
+    if (this.zone !== 'UTC') return this.zone.replaceAll('_', ' ');
     return this.view.values.clock === 'site' ? 'UTC (the site names no zone)' : 'UTC';
   }
 }

@@ -1,6 +1,8 @@
 // The line on top: the site, what is in force there in words, and how the page shows things.
 import type { Desk } from './desk';
 import { choice, element, set_hidden, set_text } from './element';
+import type { Look } from './look';
+import type { Server } from '../server/server';
 
 export function topPart(desk: Desk): HTMLElement {
   const { view, server } = desk;
@@ -68,8 +70,10 @@ export function topPart(desk: Desk): HTMLElement {
     site.value = view.values.site;
     const it = sites.find(({ id }) => id === view.values.site);
     set_hidden(site, sites.length === 0);
-    status.dataset.status = it?.status ?? '';
-    set_text(status, it === undefined ? '' : STATUS[it.status]);
+    const is_gone = server.link.is === 'gone';
+    status.dataset.status = is_gone ? 'gone' : (it?.status ?? '');
+    const as_of = is_gone ? `, as of ${desk.look.hour(server.heard_ms)}` : '';
+    set_text(status, it === undefined ? '' : `${STATUS[it.status]}${as_of}`);
     set_hidden(status, it === undefined);
     set_text(words, words_of(desk));
     set_text(trouble, server.sites?.trouble ?? '');
@@ -98,9 +102,21 @@ const STATUS = {
   no_forecast: 'No forecast',
 } as const;
 
+/** Empty while the server is there. */
+export function link_words({ link, heard_ms }: Server, look: Look): string {
+  if (link.is === 'there') return '';
+  const what =
+    link.why === null ? 'The server does not answer' : `The server is in trouble: ${link.why}`;
+  const heard =
+    heard_ms === null
+      ? 'it was not heard yet'
+      : `what it shows was last heard ${look.time(heard_ms)} ${look.zone_name}`;
+  return `${what.replace(/\.$/, '')}. The page tries again by itself; ${heard}.`;
+}
+
 /** What stands in place of a forecast, and what to do. */
 export function words_of({ server, view }: Desk): string {
-  if (server.sites === null) return 'Asking the server …';
+  if (server.sites === null || server.heard_ms === null) return 'Asking the server …';
   const sites = server.sites.sites;
   if (sites.length === 0) {
     return 'No site has a forecast yet. Make one: slackwater forecast --site SITE';

@@ -58,7 +58,7 @@ function format(zone: string): Intl.DateTimeFormat {
   return made;
 }
 
-function time_parts(utc_ms: number, zone: string): Record<string, string> {
+export function time_parts(utc_ms: number, zone: string): Record<string, string> {
   const parts: Record<string, string> = {};
   for (const { type, value } of format(zone).formatToParts(utc_ms)) parts[type] = value;
   return parts;

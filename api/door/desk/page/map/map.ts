@@ -16,12 +16,15 @@ import { draw_place, draw_things, draw_water, screen } from './scene';
 import { depth_choice, place_choice } from './tools';
 
 const SNAP_PX = 14;
+const LOOK_AGAIN_MS = 600_000; // zones come into force
+const TRY_AGAIN_MS = 20_000;
 const COAST_ZOOM = 8.5; // some hundred kilometres
 const NO_FIELD: Field = { of: { currents: [], wind: [], waves: [] }, refused: [] };
 
 export function mapPart(desk: Desk): HTMLElement {
   const { view, server, look } = desk;
   let site: SiteMap | null = null;
+  let seen_ms = NaN; // when the site was described, by the server's clock
   let field = NO_FIELD;
   let size = { width: 0, height: 0 };
   const shown: Shown = { current: true, wind: true, waves: true, names: true };
@@ -43,7 +46,11 @@ export function mapPart(desk: Desk): HTMLElement {
     ...[coast, things, water, place, aim, bar],
   );
   const says = element('p', { class: 'map-says', role: 'status', hidden: true });
-  const camera = (): Camera => view.values.map ?? fit(places_of(site, view.values.place), size);
+  /** Where to look while the site is not described yet. */
+  const named = (): Place | null =>
+    server.sites?.sites.find(({ id }) => id === view.values.site)?.place ?? null;
+  const camera = (): Camera =>
+    view.values.map ?? fit(places_of(site, view.values.place ?? named()), size);
   const weather = (at: Place): Weather =>
     weather_at(field, at, hour_of(desk) ?? NaN, view.values.depth_m);
 
@@ -53,13 +60,14 @@ export function mapPart(desk: Desk): HTMLElement {
   const where = place_choice(desk);
 
   const draw_hour = (): void => {
+    table.show();
+    if (site === null) water.replaceChildren();
     if (site === null || size.width < 2) return;
     const to = projection_of(camera(), size);
     draw_water(water, site, to, shown, look, weather);
     signs.say(
       weather(site.columns[0] ?? { longitude_deg: NaN, latitude_deg: NaN }).current_depth_m,
     );
-    table.show();
   };
   const draw = (): void => {
     if (size.width < 2) return;
@@ -69,16 +77,17 @@ export function mapPart(desk: Desk): HTMLElement {
     const corner = place_at(from, size, size.width, size.height);
     const box = { west, north, east: corner.longitude_deg, south: corner.latitude_deg };
     coast.setAttribute('d', coast_path(to, box));
-    if (site !== null) draw_things(things, site, to, shown.names, look);
+    if (site === null) things.replaceChildren();
+    else draw_things(things, site, to, shown.names, look, seen_ms);
     draw_place(place, view.values.place ?? site?.place ?? null, to);
     aim.setAttribute('transform', `translate(${size.width / 2} ${size.height / 2})`);
     draw_bar(bar, from, size.height);
     draw_hour();
   };
-  let asked = 0;
+  let frame = 0;
   const draw_soon = (): void => {
-    cancelAnimationFrame(asked);
-    asked = requestAnimationFrame(draw);
+    cancelAnimationFrame(frame);
+    frame = requestAnimationFrame(draw);
   };
   const say = (words: string): void => {
     set_text(says, words);
@@ -93,25 +102,47 @@ export function mapPart(desk: Desk): HTMLElement {
       if (!(problem instanceof Refused)) throw problem; // a map without coast shows the site
     }
   };
+  const show_site = (next: SiteMap | null): void => {
+    // An old forecast's arrows do not stay, and never those of another site.
+    const is_same = next?.id === site?.id && in_force(next) === in_force(site);
+    if (!is_same) field = NO_FIELD;
+    site = next;
+    seen_ms = server.now_ms();
+    depth.show(site);
+    where.show(site);
+    draw();
+  };
+  let asked = 0;
+  let asked_ms = 0;
+  const is_due = (): boolean =>
+    Date.now() - asked_ms > (site === null ? TRY_AGAIN_MS : LOOK_AGAIN_MS);
   const load = async (): Promise<void> => {
+    asked += 1;
+    const mine = asked;
+    asked_ms = Date.now();
     const id = view.values.site;
+    if (site !== null && site.id !== id) {
+      show_site(null);
+      say('');
+    }
     if (id === '') {
       say(words_of(desk));
       return;
     }
     try {
       const next = await server.site(id);
-      if (id !== view.values.site) return;
-      site = next;
-      field = NO_FIELD;
-      depth.show(site);
-      where.show(site);
-      draw();
-      field = await fetch_field(server, next);
+      if (mine !== asked) return;
+      const has_field = field !== NO_FIELD && field.refused.length === 0;
+      show_site(next);
+      if (has_field && field !== NO_FIELD) return; // it is only the site that was looked at again
+      const came = await fetch_field(server, next);
+      if (mine !== asked) return;
+      field = came;
       say(field.refused.join(' '));
     } catch (problem) {
       if (!(problem instanceof Refused)) throw problem;
-      say(`The map has no data: ${problem.detail}`);
+      if (mine !== asked) return;
+      if (site === null) say(`The map has no data: ${problem.detail}`);
     }
     draw();
     void load_coast(); // last: it weighs more than all the rest
@@ -145,7 +176,7 @@ export function mapPart(desk: Desk): HTMLElement {
 
   desk.onChange((changed) => {
     if (changed.has('site') || changed.has('forecast')) void load();
-    else if (changed.has('sites') && view.values.site === '') void load();
+    else if (changed.has('sites') && (view.values.site === '' || is_due())) void load();
     else if (changed.has('server') && server.link.is === 'there' && site === null) void load();
     if (changed.has('map') || changed.has('place')) draw_soon();
     else if (!changed.has('panel')) draw_hour();
@@ -166,6 +197,8 @@ export function mapPart(desk: Desk): HTMLElement {
     table.node,
   );
 }
+
+const in_force = (site: SiteMap | null): string => site?.forecast?.instance ?? '';
 
 function places_of(site: SiteMap | null, place: Place | null): Place[] {
   const of_points = (points: [number, number][]): Place[] =>

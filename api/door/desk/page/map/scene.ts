@@ -19,6 +19,7 @@ export function draw_things(
   to: GeoProjection,
   names: boolean,
   look: Look,
+  seen_ms: number, // when the server said what is in force
 ): void {
   const line = (points: Point[]): string =>
     points
@@ -29,7 +30,7 @@ export function draw_things(
   const made: SVGElement[] = [];
   for (const area of site.areas) {
     const shape = drawn('path', { class: `area ${area.kind}`, d: `${line(area.ring)}Z` });
-    const words = area_words(area, look);
+    const words = area_words(area, look, seen_ms);
     shape.append(drawn('title', {}, `${words}\n${area.reason}`));
     made.push(shape);
     const corners = area.ring.map((point) => to(point)).filter((point) => point !== null);
@@ -72,10 +73,13 @@ export function free_side(directions_deg: (number | null)[]): number {
   return [0, 1, 2, 3].reduce((best, side) => (room(side) > room(best) ? side : best), 2);
 }
 
-function area_words({ id, kind, to_direction_deg, in_force_now }: Area, look: Look): string {
+export function area_words(area: Area, look: Look, seen_ms: number): string {
+  const { id, kind, to_direction_deg, in_force_now, below_height_m } = area;
+  const below = is_known(below_height_m) ? ` below ${look.metres(below_height_m)}` : '';
   const lane = `traffic lane, to ${look.direction(to_direction_deg)}`;
-  const what = kind === 'traffic_lane' ? lane : 'keep out';
-  return `${id}: ${what}${in_force_now ? '' : ', not in force now'}`;
+  const what = kind === 'traffic_lane' ? lane : `keep out${below}`;
+  const when = `not in force at ${look.hour(seen_ms)} ${look.zone_name}`;
+  return `${id}: ${what}${in_force_now ? '' : `, ${when}`}`;
 }
 
 const LABELS_UP_TO = 12;

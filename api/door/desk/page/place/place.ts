@@ -84,7 +84,11 @@ export function placePart(desk: Desk): HTMLElement {
 
   const show_head = (): void => {
     const place = view.values.place ?? site?.place;
-    if (place === undefined || place === null) return;
+    if (place === undefined || place === null) {
+      set_text(head, '');
+      set_text(when, '');
+      return;
+    }
     const name = site === null ? '' : name_of(site, place.longitude_deg, place.latitude_deg);
     const where = place_text(place.longitude_deg, place.latitude_deg);
     set_text(head, name === '' ? where : `${name}: ${where}`);
@@ -130,9 +134,18 @@ export function placePart(desk: Desk): HTMLElement {
     show_hour();
   };
   let asked = 0;
+  let of = ''; // the site and the place that the numbers belong to
   const load = async (): Promise<void> => {
     asked += 1;
     const mine = asked;
+    const now = JSON.stringify([view.values.site, view.values.place]);
+    if (now !== of) {
+      // Never the numbers of one place under the name of another.
+      of = now;
+      water = null;
+      if (site?.id !== view.values.site) site = null;
+      show();
+    }
     if (view.values.site === '') {
       set_text(says, words_of(desk));
       show();
@@ -140,18 +153,20 @@ export function placePart(desk: Desk): HTMLElement {
     }
     set_text(says, 'Asking the server …');
     try {
-      site = await server.site(view.values.site);
+      const next = await server.site(view.values.site);
+      if (mine !== asked) return;
+      site = next;
       show_head();
-      const place = view.values.place ?? site.place;
-      const forecast = server.forecast(site.id) ?? site.forecast;
+      const place = view.values.place ?? next.place;
+      const forecast = server.forecast(next.id) ?? next.forecast;
       const came =
         forecast === null || place === null
           ? null
-          : await fetch_water(server, site, forecast, place);
+          : await fetch_water(server, next, forecast, place);
       if (mine !== asked) return;
       const all_refuse = came === null ? null : said_by_all(came);
       water = all_refuse === null ? came : null;
-      const none = `No forecast is in force here. Make one: slackwater forecast --site ${site.id}`;
+      const none = `No forecast is in force here. Make one: slackwater forecast --site ${next.id}`;
       const nearer = 'Choose a place nearer to a column, on the map or in its list.';
       const without = all_refuse === null ? none : `${all_refuse} ${nearer}`;
       set_text(says, water === null ? without : '');

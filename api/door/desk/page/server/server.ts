@@ -11,6 +11,8 @@ import { read_coverages, type Column } from './coverage';
 
 const LOOK_AGAIN_MS = 30_000;
 const TRY_AGAIN_MS = 3_000;
+const SITES_WITHIN_MS = 20_000; // /sites costs the server nothing
+const ANSWER_WITHIN_MS = 180_000; // a plan may take its time
 
 /** What a part shows in place of a value that did not come: `detail` as the server says it. */
 export class Refused extends Error {
@@ -22,13 +24,16 @@ export class Refused extends Error {
   }
 }
 
-export type Link = { is: 'there' } | { is: 'gone'; since_ms: number };
+/** Gone: `why` is what it said, null where it said nothing. */
+export type Link = { is: 'there' } | { is: 'gone'; why: string | null };
 type Told = 'sites' | 'forecast' | 'server';
 
 export class Server {
   link: Link = { is: 'there' };
   /** null before the first answer. */
   sites: Sites | null = null;
+  /** By the server's clock: when it last told its sites. */
+  heard_ms: number | null = null;
   private readonly asked: Asked;
   private server_ahead_ms = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -36,6 +41,7 @@ export class Server {
   constructor(
     private readonly ask: Ask,
     private readonly tell: (what: Told) => void,
+    private readonly viewed: () => string, // the site that is looked at
   ) {
     this.asked = new Asked((path) => this.fetch_json(path));
   }
@@ -52,34 +58,34 @@ export class Server {
   async watch(): Promise<void> {
     clearTimeout(this.timer);
     try {
+      const sites = await this.fetch_json<Sites>('/sites', {}, SITES_WITHIN_MS);
       const before = this.sites;
-      const sites = await this.fetch_json<Sites>('/sites');
-      this.server_ahead_ms = Date.parse(sites.now) - Date.now();
+      this.heard_ms = Date.parse(sites.now);
+      this.server_ahead_ms = this.heard_ms - Date.now();
       this.sites = sites;
-      const instance = (of: Sites | null): string =>
-        (of?.sites ?? []).map(({ id, forecast }) => `${id} ${forecast?.instance}`).join();
-      if (before !== null && instance(before) !== instance(sites)) {
-        this.asked.forget();
-        this.tell('forecast');
-      }
+      this.set_link({ is: 'there' });
+      const is_other = (id: string): boolean =>
+        before !== null && instance_of(before, id) !== instance_of(sites, id);
+      const all = new Set([...(before ?? sites).sites, ...sites.sites].map(({ id }) => id));
+      if ([...all].some(is_other)) this.asked.forget();
+      // What is in force elsewhere changes nothing of what is drawn.
+      if (is_other(this.viewed())) this.tell('forecast');
       this.tell('sites');
     } catch (problem) {
-      if (problem instanceof Refused && this.sites === null) {
+      if (!(problem instanceof Refused)) throw problem;
+      if (this.sites === null) {
         this.sites = { now: '', stale_after_s: 0, trouble: problem.detail, sites: [] };
         this.tell('sites');
       }
+      this.set_link({ is: 'gone', why: problem.status === 0 ? null : problem.detail });
     }
     const wait_ms = this.link.is === 'gone' ? TRY_AGAIN_MS : LOOK_AGAIN_MS;
     this.timer = setTimeout(() => void this.watch(), wait_ms);
   }
 
-  /** An answer is kept until another forecast is in force. Throws Refused. */
+  /** An answer is kept for a minute, and no longer than its forecast. Throws Refused. */
   get<T>(path: string): Promise<T> {
     return this.asked.get<T>(path);
-  }
-  /** Asked anew, as for a mission under way. */
-  fresh<T>(path: string): Promise<T> {
-    return this.fetch_json<T>(path);
   }
   async post<T>(path: string, body: unknown): Promise<T> {
     return this.fetch_json<T>(path, {
@@ -97,42 +103,65 @@ export class Server {
     return read_coverages(await this.get(`/collections/${query}`));
   }
 
-  private async fetch_json<T>(path: string, init?: RequestInit): Promise<T> {
+  private async fetch_json<T>(
+    path: string,
+    init: RequestInit = {},
+    within_ms = ANSWER_WITHIN_MS,
+  ): Promise<T> {
+    const stop = new AbortController();
+    const timer = setTimeout(() => stop.abort(), within_ms);
+    try {
+      return await this.answer_of<T>(path, { ...init, signal: stop.signal });
+    } catch (problem) {
+      if (!stop.signal.aborted) throw problem;
+      throw new Refused(0, `The server gave no answer within ${within_ms / 1000} s.`);
+    } finally {
+      clearTimeout(timer);
+    }
+  }
+
+  private async answer_of<T>(path: string, init: RequestInit): Promise<T> {
     let answer: Response;
     try {
       answer = await this.ask(path, { cache: 'no-cache', ...init });
     } catch {
-      this.set_link(false);
+      // A slow answer is no dead server: whether that is there, /sites tells.
+      if (init.signal?.aborted !== true) this.set_link({ is: 'gone', why: null });
       throw new Refused(0, 'The server does not answer. The page tries again by itself.');
     }
-    if (answer.status === 502 || answer.status === 503 || answer.status === 504) {
-      const detail = await problem_of(answer);
-      if (detail === null) this.set_link(false);
-      throw new Refused(answer.status, detail ?? 'The server is not ready yet.');
+    if (answer.ok) {
+      if (answer.status === 204) return undefined as T;
+      try {
+        return (await answer.json()) as T;
+      } catch {
+        throw new Refused(answer.status, 'The answer of the server is cut off or is not JSON.');
+      }
     }
-    this.set_link(true);
-    if (!answer.ok) {
-      const detail = (await problem_of(answer)) ?? `The server answers ${answer.status}.`;
-      throw new Refused(answer.status, detail);
-    }
-    if (answer.status === 204) return undefined as T;
-    try {
-      return (await answer.json()) as T;
-    } catch {
-      throw new Refused(answer.status, 'The answer of the server is cut off or is not JSON.');
-    }
+    const detail = await problem_of(answer);
+    const is_proxy = answer.status === 502 || answer.status === 503 || answer.status === 504;
+    if (is_proxy && detail === null) this.set_link({ is: 'gone', why: null });
+    const otherwise = is_proxy
+      ? 'The server is not ready yet.'
+      : `The server answers ${answer.status}.`;
+    throw new Refused(answer.status, detail ?? otherwise);
   }
 
-  private set_link(is_there: boolean): void {
-    if (is_there === (this.link.is === 'there')) return;
-    this.link = is_there ? { is: 'there' } : { is: 'gone', since_ms: Date.now() };
+  /** Only /sites says that it is there: one good answer among bad ones does not. */
+  private set_link(link: Link): void {
+    const before = this.link;
+    this.link = link;
+    const why = (of: Link): string | null => (of.is === 'gone' ? of.why : null);
+    if (link.is === before.is && why(link) === why(before)) return;
     this.tell('server');
-    if (!is_there) {
+    if (link.is === 'gone') {
       clearTimeout(this.timer);
       this.timer = setTimeout(() => void this.watch(), TRY_AGAIN_MS);
     }
   }
 }
+
+const instance_of = ({ sites }: Sites, site: string): string =>
+  sites.find(({ id }) => id === site)?.forecast?.instance ?? '';
 
 async function problem_of(answer: Response): Promise<string | null> {
   try {

@@ -2,7 +2,7 @@
 import type { Desk } from '../look/desk';
 import { button, element, set_hidden, set_text } from '../look/element';
 import { HOUR_MS, hour_of, hour_within, reach_of, time_ticks, type Reach } from '../look/hours';
-import { hour_words } from './hour_words';
+import { hour_words, outside_words } from './hour_words';
 
 const LOOK_AT_CLOCK_MS = 20_000;
 
@@ -65,7 +65,9 @@ export function timePart(desk: Desk): HTMLElement {
     if (with_scale) scale_of(reach);
     slider.value = String(at_ms / 1000);
     set_text(chosen, `${look.time(at_ms)} ${look.zone_name}`);
-    set_text(words, hour_words(reach, forecast.issued, at_ms, server.now_ms()));
+    const outside = outside_words(reach, view.values.at_ms, look);
+    const where = hour_words(reach, forecast.issued, at_ms, server.now_ms());
+    set_text(words, outside === '' ? where : `${outside} ${where}`);
     slider.setAttribute('aria-valuetext', `${chosen.textContent}, ${words.textContent}`);
     buttons[2]?.setAttribute('aria-pressed', String(view.values.at_ms === null));
   };

@@ -1,6 +1,6 @@
 // What changed between the true answers and those of the what-if.
 import type { Plan, Start, Verdict, Windows } from '../decide/answers';
-import { first_named } from '../decide/windows_row';
+import { best_start } from '../decide/windows_row';
 
 export interface TaskChange {
   task: string;
@@ -18,7 +18,7 @@ function answer_of(windows: Windows, name: string): TaskAnswer | null {
   const index = windows.tasks.findIndex(({ task }) => task === name);
   const task = windows.tasks[index];
   if (task === undefined) return null;
-  const at = first_named(task);
+  const at = best_start(task);
   const start = task.starts[at];
   const best = start === undefined ? null : { index: at, start };
   return { index, verdict: task.verdict, best };

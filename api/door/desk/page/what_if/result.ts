@@ -5,7 +5,7 @@ import { plan_gantt } from '../decide/plan_gantt';
 import { opened, table_of } from '../decide/table';
 import { verdict_badge } from '../decide/verdict_badge';
 import { windows_gantt } from '../decide/windows_gantt';
-import { chance_text } from '../decide/words';
+import { chance_nodes } from '../decide/words';
 import { element, scroll_region } from '../look/element';
 import type { Look } from '../look/look';
 import { change_text, plan_changes, task_changes, type TaskAnswer } from './compare';
@@ -73,8 +73,8 @@ function tasks_table(
     const badge = verdict_badge(of, `${at}.verdict`, said.verdict);
     if (said.best === null) return element('span', {}, badge, ' no start');
     const start = `${at}.starts.${said.best.index}`;
-    const chance = told(of, `${start}.worth`, chance_text);
-    return element('span', {}, badge, ' ', chance, ' at ', told(of, `${start}.start`, hour));
+    const chance = chance_nodes(of, start, said.best.start);
+    return element('span', {}, badge, ' ', ...chance, ' at ', told(of, `${start}.start`, hour));
   };
   const rows = task_changes(truth.body, answer.body.windows)
     .filter(({ task }) => touched === null || touched.includes(task))

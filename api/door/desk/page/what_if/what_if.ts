@@ -21,12 +21,12 @@ class WhatIfPanel {
   private readonly outcome = new Section('What would be', 'what-if-outcome');
   private readonly price = new Section('The price of a limit', 'what-if-price');
   private readonly files = new Section('Changed files', 'what-if-files');
-  private texts: Texts | null = null;
+  private begun = 0;
   private draft: Draft | null = null;
   private original: Draft | null = null;
   private task = '';
   private priced: Limit | null = null;
-  private is_asking = false;
+  private asking: Draft | null = null; // whose question is under way
   private is_outdated = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -62,34 +62,30 @@ class WhatIfPanel {
   /** Of another site, or from the true values again. */
   private begin(): void {
     const { site } = this.desk.view.values;
+    clearTimeout(this.timer);
+    this.draft = null;
+    this.priced = null;
     if (site === '') {
       this.change.say('There is no site to change yet.');
       return;
     }
-    this.draft = null;
     for (const section of [this.outcome, this.price, this.files])
       section.say('Nothing is changed.');
-    void this.change.show(
-      this.get<Texts>('/texts').then(({ body }) => {
-        this.texts = body;
-        this.restart();
-        return this.form();
-      }),
-    );
-  }
-  private restart(): void {
-    if (this.texts === null) return;
-    this.draft = new Draft(this.texts);
-    this.original = new Draft(this.texts);
-    if (this.texts.tasks[this.task] === undefined) this.task = this.draft.site_tasks[0] ?? '';
-    this.priced = null;
+    this.begun += 1;
+    void this.change.show(this.form(site, this.begun));
   }
 
-  private async form(): Promise<HTMLElement> {
-    const { draft, original } = this;
-    if (draft === null || original === null)
-      return element('p', {}, 'Nothing can be changed here.');
-    const { tasks, turbines } = await this.desk.server.site(this.desk.view.values.site);
+  private async form(site: string, begun: number): Promise<HTMLElement> {
+    const [{ body: texts }, { tasks, turbines }] = await Promise.all([
+      this.get<Texts>('/texts'),
+      this.desk.server.site(site),
+    ]);
+    const draft = new Draft(texts);
+    const original = new Draft(texts);
+    if (begun !== this.begun) return element('div'); // another site was chosen, or begun anew
+    this.draft = draft;
+    this.original = original;
+    if (texts.tasks[this.task] === undefined) this.task = draft.site_tasks[0] ?? '';
     const names = new Map(tasks.map(({ id, name }) => [id, name]));
     const made = element('div');
     const draw = (): void =>
@@ -131,11 +127,15 @@ class WhatIfPanel {
 
   /** One question at a time; of what is changed meanwhile the last is asked next. */
   private async ask_latest(draft: Draft): Promise<void> {
-    this.is_outdated = this.is_asking;
-    if (this.is_asking) return;
-    this.is_asking = true;
+    this.is_outdated = this.asking === draft;
+    if (this.is_outdated) {
+      this.outcome.wait();
+      return;
+    }
+    this.asking = draft;
     await this.outcome.show(this.ask(draft));
-    this.is_asking = false;
+    if (this.asking !== draft) return;
+    this.asking = null;
     if (this.is_outdated) this.work_out();
   }
 

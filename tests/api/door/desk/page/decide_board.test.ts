@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
-import { expect, test } from 'vitest';
+import { afterEach, expect, test, vi } from 'vitest';
 import { Board } from 'page/decide/board';
-import { advice_of, counts_text, worst_first, type BoardSite } from 'page/decide/board_order';
+import { counts_text, worst_first, type BoardSite } from 'page/decide/board_order';
 import { OneByOne } from 'page/decide/one_by_one';
 import type { Desk } from 'page/look/desk';
 import { Look } from 'page/look/look';
@@ -9,6 +9,9 @@ import type { SiteInSites, SiteStatus } from 'page/server/answers';
 import { Refused } from 'page/server/server';
 import { first_view, View } from 'page/view';
 import { report } from './decide_made';
+import { late_server, two_sites } from './late';
+
+afterEach(() => vi.useRealTimers());
 
 function site(id: string, status: SiteStatus = 'ok'): SiteInSites {
   return {
@@ -47,11 +50,7 @@ test('TheWorstIsFirst', () => {
   ).toBe('dbghceaf');
 });
 
-test('WhatToDoIsSaidOfAllThatIsNotInForce', () => {
-  for (const status of ['stale', 'degraded', 'hindcast', 'unreadable'] as const) {
-    expect(advice_of(site('bay', status))).toMatch(/slackwater (forecast --site bay|store check)/);
-  }
-  expect(advice_of(site('bay'))).toBe('');
+test('SitesAreCountedByHowTheirForecastsAre', () => {
   expect(counts_text([site('a'), site('b', 'stale')])).toBe('2 sites: 1 old, 1 in force');
   expect(counts_text([])).toBe('0 sites');
 });
@@ -91,7 +90,7 @@ test('AHundredSitesAreAskedForOnlyOnceSomebodyLooks', async () => {
   const sites = Array.from({ length: 100 }, (_, i) => site(`s${i}`, i === 7 ? 'stale' : 'ok'));
   const board = new Board(desk_of(sites, asked));
   document.body.append(board.node);
-  board.show(false);
+  board.show();
   expect(asked).toEqual([]);
   const details = board.node.querySelector('details') as HTMLDetailsElement;
   expect(details.querySelector('summary')?.textContent).toBe(
@@ -104,10 +103,57 @@ test('AHundredSitesAreAskedForOnlyOnceSomebodyLooks', async () => {
   expect(asked[0]).toBe('/sites/s7/report');
   const bodies = [...board.node.querySelectorAll('tbody')];
   expect(bodies.length).toBe(100);
-  expect(bodies[0]?.textContent).toContain('words of s7');
+  // What to do is the server's to say, once.
+  expect(bodies[0]?.textContent?.match(/words of s7/g)?.length).toBe(1);
+  expect(bodies[0]?.textContent).not.toContain('slackwater forecast');
   expect(bodies[1]?.textContent).toContain('the file is cut off');
   const search = board.node.querySelector('input') as HTMLInputElement;
   search.value = 's42';
   search.dispatchEvent(new Event('input'));
   expect(bodies.filter(({ hidden }) => !hidden).length).toBe(1);
+});
+
+function opened_board(desk: Desk): Board {
+  const board = new Board(desk);
+  document.body.replaceChildren(board.node);
+  board.show();
+  const details = board.node.querySelector('details') as HTMLDetailsElement;
+  details.open = true;
+  details.dispatchEvent(new Event('toggle'));
+  return board;
+}
+
+test('AVerdictIsAskedForAgainAfterTenMinutesAndARefusalAfterOne', async () => {
+  vi.useFakeTimers();
+  const asked: string[] = [];
+  const board = opened_board(desk_of([site('s1'), site('s3')], asked));
+  const after = async (ms: number): Promise<string[]> => {
+    asked.length = 0;
+    await vi.advanceTimersByTimeAsync(ms);
+    board.show();
+    await vi.advanceTimersByTimeAsync(0);
+    return [...asked];
+  };
+  await vi.advanceTimersByTimeAsync(0);
+  expect(asked).toEqual(['/sites/s1/report', '/sites/s3/report']);
+  expect(await after(30_000)).toEqual([]);
+  expect(await after(31_000)).toEqual(['/sites/s3/report']);
+  expect(await after(9 * 60_000)).toEqual(['/sites/s3/report', '/sites/s1/report']);
+});
+
+test('WhatIsSaidOfAnOldForecastDoesNotLandAtTheNewOne', async () => {
+  const { desk, answer, waiting } = late_server(two_sites(), {}, { site: 'a' });
+  const board = opened_board(desk);
+  const sites = two_sites();
+  const [a] = sites.sites;
+  if (a?.forecast) a.forecast = { ...a.forecast, instance: 'i2' };
+  const old = waiting[0];
+  void desk.server.watch();
+  await waiting[1]?.answer(sites);
+  board.show();
+  await old?.answer(report({ headline: 'of the old one' }));
+  await answer('/sites/b/report', report({ headline: 'of b' }));
+  expect(board.node.textContent).toContain('of b');
+  expect(board.node.textContent).not.toContain('of the old one');
+  expect(waiting.map(({ path }) => path)).toEqual(['/sites/a/report']);
 });

@@ -2,7 +2,7 @@
 import { expect, test } from 'vitest';
 import { Axis } from 'page/decide/axis';
 import { windows_gantt } from 'page/decide/windows_gantt';
-import { fill_of } from 'page/decide/windows_row';
+import { best_start, fill_of } from 'page/decide/windows_row';
 import { answer, start, windows, windows_task } from './decide_made';
 
 const T0 = Date.UTC(2025, 2, 14, 6);
@@ -98,6 +98,22 @@ test('AllLeftOutIsToldAndNothingIsDrawn', () => {
   expect(node.textContent).toBe(
     'No task could be worked out.scour could not be worked out: the sheet has no agenta note',
   );
+});
+
+test('WhatCountsForLessThanItsChanceSaysSo', () => {
+  const starts = [start(6, 0.95, { worth: 0.896 })];
+  const { node } = windows_gantt(answer(windows([windows_task({ starts })])), 'UTC', () => {});
+  expect(node.querySelector('.number')?.textContent).toBe('89');
+  expect(rows(node)[0]?.getAttribute('aria-valuetext')).toContain('95 %, counts as 89 %');
+  expect(node.textContent).toContain('Where flights succeed less often');
+});
+
+test('TheBestStartIsTheOneThatTheServerNames', () => {
+  const starts = [start(6, 0.6), start(7, 0.6), start(8, 0.7, { forbidden: 'night' })];
+  const of = (some: object): number => best_start(windows_task({ starts, ...some }));
+  expect(of({ best: { start: start(7, 0).start } })).toBe(1);
+  expect(of({ best: null })).toBe(-1);
+  expect(of({})).toBe(2); // of a server that does not say
 });
 
 test('TheTableHasEachStart', () => {

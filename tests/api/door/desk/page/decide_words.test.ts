@@ -1,8 +1,16 @@
 import { expect, test } from 'vitest';
-import { binding_text, chance_text, interval_text, past_text, with_hours } from 'page/decide/words';
+import {
+  binding_text,
+  chance_text,
+  interval_text,
+  past_text,
+  percent_of,
+  with_hours,
+} from 'page/decide/words';
 import type { Binding, Past } from 'page/decide/answers';
 import { start } from './decide_made';
 
+const DAY = '2025-03-14';
 const past = (some: Partial<Past>): Past => ({
   mornings: 38,
   said_by_futures: 0.28,
@@ -14,7 +22,7 @@ const past = (some: Partial<Past>): Past => ({
 });
 
 test('AChanceIsNeitherNothingNorCertain', () => {
-  expect([0, 0.003, 0.096, 0.995, 0.998, 1].map(chance_text)).toEqual([
+  expect([0, 0.003, 0.096, 0.995, 0.998, 1].map((of) => chance_text(of))).toEqual([
     'under 1 %',
     'under 1 %',
     '10 %',
@@ -22,9 +30,23 @@ test('AChanceIsNeitherNothingNorCertain', () => {
     'over 99 %',
     'over 99 %',
   ]);
-  expect([null, undefined, NaN].map(chance_text)).toEqual(['–', '–', '–']);
-  expect(interval_text([0.003, 0.386])).toBe('0 to 39\u00a0%');
+  expect([null, undefined, NaN].map((of) => chance_text(of))).toEqual(['–', '–', '–']);
+  expect(interval_text([0.003, 0.386])).toBe('under 1 to 39\u00a0%');
+  expect(interval_text([0.9, 0.999])).toBe('90 to over 99\u00a0%');
+  expect(interval_text([1, 1])).toBe('over 99\u00a0%');
   expect(interval_text(null)).toBe('');
+});
+
+test('WhatMissesARuleNeverReadsAsIfItReachedIt', () => {
+  expect([0.8999, 0.896, 0.895, 0.894, 0.9].map((of) => chance_text(of))).toEqual([
+    '89 %',
+    '89 %',
+    '89 %',
+    '89 %',
+    '90 %',
+  ]);
+  expect([0.4999, 0.5, 0.896, 0.796].map((of) => percent_of(of))).toEqual([49, 50, 89, 80]);
+  expect(percent_of(0.796, { go: 0.8, marginal: 0.5 })).toBe(79);
 });
 
 test('PastGoesAreToldAndTooFewAreCalledTooFew', () => {
@@ -52,20 +74,23 @@ test('WhatBindsIsToldInWords', () => {
     share: 1.2,
     bound_then: null,
   };
-  expect(binding_text(start(7, 0.5, { binding }), 'UTC')).toBe(
+  expect(binding_text(start(7, 0.5, { binding }), 'UTC', DAY)).toBe(
     'current at most 0.5 m/s (surveyor): exceeded at 07:10 in 12 of 25 futures; ' +
       'the forecast reaches 120 % of it.',
   );
   const near = { ...binding, exceeded: false, worker: null, share: null };
-  expect(binding_text(start(7, 0.5, { binding: near }), 'UTC')).toBe('current at most 0.5 m/s.');
-  expect(binding_text(start(7, 1), 'UTC')).toBe('No limit is near.');
-  expect(binding_text(start(7, 1, { forbidden: 'the cable area' }), 'UTC')).toBe(
+  expect(binding_text(start(7, 0.5, { binding: near }), 'UTC', DAY)).toBe(
+    'current at most 0.5 m/s.',
+  );
+  expect(binding_text(start(7, 1), 'UTC', DAY)).toBe('No limit is near.');
+  expect(binding_text(start(7, 1, { forbidden: 'the cable area' }), 'UTC', DAY)).toBe(
     'Closed: the cable area.',
   );
 });
 
 test('TimesInsideATextAreOfTheSite', () => {
   const text = 'exceeded at 2025-03-14T05:40:00Z in 3 futures';
-  expect(with_hours(text, 'UTC')).toBe('exceeded at 05:40 in 3 futures');
-  expect(with_hours(text, 'Europe/Paris')).toBe('exceeded at 06:40 in 3 futures');
+  expect(with_hours(text, 'UTC', DAY)).toBe('exceeded at 05:40 in 3 futures');
+  expect(with_hours(text, 'Europe/Paris', DAY)).toBe('exceeded at 06:40 in 3 futures');
+  expect(with_hours(text, 'America/Los_Angeles', DAY)).toBe('exceeded at Thu 22:40 in 3 futures');
 });

@@ -1,6 +1,9 @@
 import { expect, test } from 'vitest';
 import { HOUR_MS, hour_within, reach_of, time_ticks } from 'page/look/hours';
-import { hour_words } from 'page/time/hour_words';
+import { Look } from 'page/look/look';
+import { hour_words, outside_words } from 'page/time/hour_words';
+import { first_view, View } from 'page/view';
+import { look } from './decide_made';
 
 const FROM = Date.UTC(2025, 2, 13);
 const REACH = { from_ms: FROM, to_ms: FROM + 72 * HOUR_MS };
@@ -37,6 +40,22 @@ test('AForecastThatEndedSaysSo', () => {
   expect(hour_words(REACH, ISSUED, REACH.to_ms, now)).toBe(
     'The forecast ended 3 h ago. Make a new one.',
   );
+});
+
+test('AnHourOutsideOfTheForecastIsNotShownInSilence', () => {
+  const wanted = REACH.to_ms + 5 * HOUR_MS;
+  expect(outside_words(REACH, wanted, look)).toBe(
+    'The forecast does not reach Sun 16 Mar 05:00: this is the hour nearest to it.',
+  );
+  for (const inside of [null, FROM, REACH.to_ms]) {
+    expect(outside_words(REACH, inside, look)).toBe('');
+  }
+});
+
+test('AZonesNameHasNoUnderscores', () => {
+  const far = new Look(new View({ ...first_view(), clock: 'site' }));
+  far.site_zone = 'America/Port_of_Spain';
+  expect(far.zone_name).toBe('America/Port of Spain');
 });
 
 test('DaysBeginAtMidnightOfTheZone', () => {

@@ -8,8 +8,10 @@ import {
   scale_bar,
   zoomed,
 } from 'page/map/projection';
-import { free_side } from 'page/map/scene';
+import { area_words, free_side } from 'page/map/scene';
 import { beside_barbs_px } from 'page/map/arrows';
+import type { Area } from 'page/server/answers';
+import { look } from './decide_made';
 
 const SIZE = { width: 600, height: 400 };
 const CAMERA = { longitude_deg: -2.55, latitude_deg: 48.85, zoom: 12 };
@@ -82,6 +84,22 @@ test('AWaveArrowStandsFreeOfTheBarbs', () => {
   expect(beside_barbs_px(350, 10, true)).toBeGreaterThan(0);
   expect(beside_barbs_px(350, 170, false)).toBe(0);
   expect(beside_barbs_px(null, 170, false)).toBe(0);
+});
+
+test('AZoneSaysUpToWhichHeightAndWhenItWasNotInForce', () => {
+  const area: Area = {
+    id: 'airfield',
+    kind: 'exclusion',
+    reason: '',
+    ring: [],
+    in_force_now: true,
+    below_height_m: 150,
+    to_direction_deg: null,
+  };
+  const at = T[0] ?? 0;
+  expect(area_words(area, look, at)).toBe('airfield: keep out below 150 m');
+  const asleep = { ...area, below_height_m: null, in_force_now: false };
+  expect(area_words(asleep, look, at)).toBe('airfield: keep out, not in force at 06:00 UTC');
 });
 
 test('WordsStandWhereNothingPoints', () => {

@@ -1,9 +1,11 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { fetch_water, NO_TIDE, said_by_all } from 'page/place/water';
+import { link_words } from 'page/look/top';
 import { whole_site } from 'page/server/answers';
 import { Refused, Server } from 'page/server/server';
+import { look } from './decide_made';
 
-type Answer = { status?: number; body: unknown } | 'gone';
+type Answer = { status?: number; body: unknown } | 'gone' | 'silent';
 
 /** A server of answers by path; what was asked is noted. */
 function made_up(answers: Record<string, Answer>): {
@@ -13,18 +15,29 @@ function made_up(answers: Record<string, Answer>): {
 } {
   const asked: string[] = [];
   const told: string[] = [];
-  const ask = async (path: string): Promise<Response> => {
+  const ask = async (path: string, init?: RequestInit): Promise<Response> => {
     asked.push(path);
     const found = Object.keys(answers).find(
       (start) => path === start || path.startsWith(`${start}?`),
     );
     const answer = found === undefined ? undefined : answers[found];
     if (answer === 'gone') throw new TypeError('Failed to fetch');
+    if (answer === 'silent') {
+      return new Promise((_, fail) => init?.signal?.addEventListener('abort', () => fail()));
+    }
     if (answer === undefined) return problem(404, 'found no such thing');
     const status = answer.status ?? 200;
     return new Response(JSON.stringify(answer.body), { status });
   };
-  return { server: new Server(ask, (what) => told.push(what)), asked, told };
+  return {
+    server: new Server(
+      ask,
+      (what) => told.push(what),
+      () => 'bay',
+    ),
+    asked,
+    told,
+  };
 }
 const problem = (status: number, detail: string): Response =>
   new Response(JSON.stringify({ type: 'about:blank', title: 'x', status, detail }), { status });
@@ -83,6 +96,46 @@ test('AServerThatWentIsToldOnceAndTriedAgainByItself', async () => {
   expect(told.filter((what) => what === 'server').length).toBe(2);
 });
 
+test('AServerThatSaysNothingIsGone', async () => {
+  const answers: Record<string, Answer> = { '/sites': sites('a') };
+  const { server, told } = made_up(answers);
+  await server.watch();
+  answers['/sites'] = 'silent';
+  await vi.advanceTimersByTimeAsync(30_000 + 20_000);
+  expect(server.link).toEqual({ is: 'gone', why: null });
+  const words = link_words(server, look);
+  expect(words).toContain('does not answer');
+  expect(words).toContain('last heard Thu 13 Mar 06:00 UTC');
+  answers['/sites'] = sites('a');
+  await vi.advanceTimersByTimeAsync(3_000);
+  expect(link_words(server, look)).toBe('');
+  expect(told.filter((what) => what === 'server').length).toBe(2);
+});
+
+test('AServerThatCannotTellItsSitesIsGoneThoughItAnswers', async () => {
+  const answers: Record<string, Answer> = { '/sites': sites('a'), '/sites/bay': { body: 1 } };
+  const { server, told } = made_up(answers);
+  await server.watch();
+  answers['/sites'] = { status: 500, body: { title: 'x', detail: 'the store cannot be read' } };
+  await vi.advanceTimersByTimeAsync(31_000);
+  expect(link_words(server, look)).toMatch(/^The server is in trouble: the store cannot be read\./);
+  await server.site('bay'); // one good answer does not make it whole
+  await vi.advanceTimersByTimeAsync(31_000);
+  expect(server.link.is).toBe('gone');
+  expect(told.filter((what) => what === 'server').length).toBe(1);
+});
+
+test('ALongAnswerIsNoDeadServer', async () => {
+  const { server } = made_up({ '/sites': sites('a'), '/sites/bay/plan': 'silent' });
+  await server.watch();
+  const coming = expect(server.get('/sites/bay/plan')).rejects.toMatchObject({
+    detail: 'The server gave no answer within 180 s.',
+  });
+  await vi.advanceTimersByTimeAsync(181_000);
+  await coming;
+  expect(server.link.is).toBe('there');
+});
+
 test('AnotherForecastInForceMakesAllAnswersOld', async () => {
   const answers: Record<string, Answer> = { '/sites': sites('a'), '/sites/bay': { body: 1 } };
   const { server, told, asked } = made_up(answers);
@@ -93,6 +146,42 @@ test('AnotherForecastInForceMakesAllAnswersOld', async () => {
   expect(told).toContain('forecast');
   await server.site('bay');
   expect(asked.filter((path) => path === '/sites/bay').length).toBe(2);
+});
+
+test('AnotherForecastElsewhereIsNotToldButMakesAnswersOld', async () => {
+  const of = (bay: string, cove: string): Answer => ({
+    body: {
+      now: '2025-03-13T06:00:00Z',
+      sites: [
+        { id: 'bay', forecast: { instance: bay } },
+        { id: 'cove', forecast: { instance: cove } },
+      ],
+    },
+  });
+  const answers: Record<string, Answer> = { '/sites': of('a', 'a'), '/sites/cove': { body: 1 } };
+  const { server, told, asked } = made_up(answers);
+  await server.watch();
+  await server.site('cove');
+  answers['/sites'] = of('a', 'b');
+  await vi.advanceTimersByTimeAsync(31_000);
+  expect(told).not.toContain('forecast');
+  await server.site('cove');
+  expect(asked.filter((path) => path === '/sites/cove').length).toBe(2);
+});
+
+test('AnAnswerIsKeptForAMinuteAndSixtyFourAtMost', async () => {
+  const { server, asked } = made_up({ '/sites/bay': { body: { id: 'bay' } } });
+  const count = (): number => asked.filter((path) => path === '/sites/bay').length;
+  await server.site('bay');
+  await vi.advanceTimersByTimeAsync(59_000);
+  await server.site('bay');
+  expect(count()).toBe(1);
+  await vi.advanceTimersByTimeAsync(2_000);
+  await server.site('bay');
+  expect(count()).toBe(2);
+  for (let i = 0; i < 64; i += 1) await server.get(`/sites/bay?${i}`);
+  await server.site('bay');
+  expect(count()).toBe(3);
 });
 
 test('TheServersClockRules', async () => {

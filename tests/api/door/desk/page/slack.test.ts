@@ -10,6 +10,7 @@ const look = {
 } as unknown as Look;
 
 const at = (hour: string): string => `2025-03-13T${hour}:00Z`;
+const END = Date.parse(at('23:00'));
 const one = (from: string, to: string, more = {}) => ({
   from: at(from),
   to: at(to),
@@ -31,20 +32,30 @@ test('WhatIsOverIsNotTold', () => {
     look,
     answer([one('05:10', '06:00'), one('11:20', '12:40')]),
     Date.parse(at('07:00')),
+    END,
   );
-  expect(said).toBe('day 11:20 to 12:40 (below 0.5 m/s, UTC)');
+  expect(said).toBe('below 0.5 m/s, UTC: likely day 11:20 to 12:40 (at no time nearly sure)');
+});
+
+test('WhatIsLikelyIsNotToldAsSure', () => {
+  const sure = { sure_from: at('11:45'), sure_to: at('12:10') };
+  expect(slack_text(look, answer([one('11:20', '12:40', sure)]), 0, END)).toBe(
+    'below 0.5 m/s, UTC: likely day 11:20 to 12:40 (nearly sure 11:45 to 12:10)',
+  );
 });
 
 test('WhatTheForecastCutsHasNoTimeOfItsOwn', () => {
   const all = answer([one('00:00', '23:00', { begins_before: true, ends_after: true })]);
-  expect(slack_text(look, all, Date.parse(at('07:00')))).toBe(
-    'the beginning to the end (below 0.5 m/s, UTC)',
+  expect(slack_text(look, all, Date.parse(at('07:00')), END)).toContain(
+    'likely the beginning to the end (',
   );
 });
 
 test('NoneIsSaidAndWhyNothingIsKnown', () => {
-  expect(slack_text(look, answer([]), 0)).toContain('none from here on');
-  expect(slack_text(look, answer([], 'not known: means'), 0)).toBe('not known: means');
+  expect(slack_text(look, answer([]), 0, END)).toBe(
+    'no likely slack (below 0.5 m/s) until day 23:00 UTC',
+  );
+  expect(slack_text(look, answer([], 'not known: means'), 0, END)).toBe('not known: means');
 });
 
 test('APlaceAndADepthAreAskedFor', () => {

@@ -69,7 +69,7 @@ test('BothAreShownSideBySide', () => {
     'Go 92 % at 07:00',
     'better by 52 points, best start 07:00',
   ]);
-  const said = node.querySelector('[data-key="windows.tasks.0.starts.1.worth"]');
+  const said = node.querySelector('[data-key="windows.tasks.0.starts.1.probability"]');
   expect(said?.getAttribute('data-value')).toBe('0.92');
   expect(node.textContent).toContain('Worth 2.50; now 1.78');
 });
