@@ -20,7 +20,7 @@ export interface ViewValues {
   clock: 'utc' | 'site';
   directions: Directions;
 }
-/** What of the view changed; "forecast": another one is in force there; "server": it went, or is back. */
+/** What of the view changed; "forecast": another one is in force; "server": it went or is back. */
 export type Changed = ReadonlySet<keyof ViewValues | 'sites' | 'forecast' | 'server'>;
 
 /** What a person keeps from one view to the next. */

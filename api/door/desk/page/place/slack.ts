@@ -57,7 +57,7 @@ export function slack_text(look: Look, answer: SlackAnswer, at_ms: number, end_m
   return `${below}, ${look.zone_name}: ${times.join('; ')}`;
 }
 
-/** The hours are those of the likely speed; there are fewer in which nearly all futures are slack. */
+/** The hours are of the likely speed; there are fewer in which nearly all futures are slack. */
 function sure_text(look: Look, { sure_from, sure_to }: Slack): string {
   if (sure_from === null || sure_to === null) return 'at no time nearly sure';
   return `nearly sure ${look.hour(Date.parse(sure_from))} to ${look.hour(Date.parse(sure_to))}`;

@@ -1,5 +1,5 @@
 // What was asked a moment ago is not asked again: one answer for all parts. The server keeps its
-// answers too, so that asking again is cheap; here they are kept only as long as parts draw together.
+// answers too, so that asking again is cheap; here they are kept as long as parts draw together.
 
 export type Ask = (path: string, init?: RequestInit) => Promise<Response>;
 
