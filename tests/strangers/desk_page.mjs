@@ -67,7 +67,10 @@ async function open(hash, width = 1440, height = 900) {
   return page;
 }
 const text = (page, where) => page.$eval(where, (node) => node.textContent);
-const until = (page, look, ...given) => page.waitForFunction(look, { timeout: LIMIT_MS, polling: 50 }, ...given);
+const until = (page, look, ...given) =>
+  page.waitForFunction(look, { timeout: LIMIT_MS, polling: 50 }, ...given).catch((cause) => {
+    throw new Error(`it never came true: ${look}`, { cause });
+  });
 const shows_place = (page) => page.waitForSelector(".facts dd", { timeout: LIMIT_MS });
 
 try {
@@ -89,7 +92,7 @@ try {
   assert.ok(bytes < FIRST_VIEW_LIMIT_BYTES);
 
   // The slider, by keys: another hour, at once, and nothing is asked for it.
-  await page.waitForNetworkIdle();
+  await page.waitForNetworkIdle({ timeout: LIMIT_MS });
   const asks = () => page.evaluate(() => performance.getEntriesByType("resource").length);
   const before = [await text(page, ".time-chosen"), await asks(), await page.metrics()];
   await page.focus("#time input");
