@@ -93,7 +93,7 @@ TEST(EdrProducts, AStoreWithoutProductsHasNoCollectionsOfThem) {
   const json all = service.document("/collections").at("collections");
   for (const json& each : all)
     EXPECT_FALSE(each.at("id").get<std::string>().starts_with("product-"));
-  EXPECT_NE(service.refusal(404, currents).find("see /collections"), std::string::npos);
+  EXPECT_NE(service.refusal(404, currents).find("product-KIND-ID"), std::string::npos);
 }
 
 TEST(EdrProducts, EachKindIsListedWithItsExtentAndParameters) {
@@ -497,6 +497,23 @@ TEST(EdrProducts, AMissingHeightTakesNothingElseAway) {
   EXPECT_EQ(values_of(answer, "forecast_period").at(3), 0);
 }
 
+TEST(EdrProducts, ManyRunsAreCountedInTheHeader) {
+  ProductServiceForTests service;
+  service.with(current_product(day));
+  for (int i = 1; i < 10; ++i) {
+    const UtcTime run = midnight + std::chrono::days(i) - std::chrono::hours(12);
+    service.with(forecast_of(day + std::chrono::days(i), run, 0.1));
+  }
+  const auto csv = service.get(std::string(currents) + "/position",
+                               {{"coords", "POINT(6.5 54)"}, {"z", "5"}, {"f", "CSV"}});
+  ASSERT_EQ(csv.status, 200) << csv.body;
+  const auto runs = std::find_if(csv.headers.begin(), csv.headers.end(), [](const auto& header) {
+    return header.first == "Slackwater-Runs";
+  });
+  ASSERT_NE(runs, csv.headers.end());
+  EXPECT_EQ(runs->second, "analysis; 9 forecasts, 2025-03-10T12:00:00Z to 2025-03-18T12:00:00Z");
+}
+
 TEST(EdrProducts, ANewlyIngestedFileIsNoticed) {
   ProductServiceForTests service;
   service.with(current_product(day));
@@ -515,6 +532,10 @@ TEST(EdrProducts, LocationsAreTheColumnsOfSitesThatTheProductCovers) {
   const json features = service.document(std::string(currents) + "/locations").at("features");
   ASSERT_EQ(features.size(), 1U);
   EXPECT_EQ(features[0].at("id"), "here");
+  const json& csv = features[0].at("links")[0];
+  EXPECT_NE(csv.at("href").get<std::string>().find("datetime="), std::string::npos)
+      << "an archive of years does not fit";
+  EXPECT_EQ(service.get_link(csv.at("href")).status, 200);
   const json at_site = service.document(std::string(currents) + "/locations/here", {{"z", "5"}});
   const json at_point = service.document(std::string(currents) + "/position",
                                          {{"coords", "POINT(6.5 54)"}, {"z", "5"}});
@@ -558,6 +579,25 @@ TEST(EdrProducts, EveryExampleIsAnswered) {
       ++tried;
     }
     EXPECT_EQ(tried, 4U);
+  }
+}
+
+TEST(EdrProducts, TheInterfaceNamesThemWhereTheyAreAnswered) {
+  const std::string id = std::string(currents).substr(13);
+  const json definition = all_kinds().document("/api");
+  for (const auto& [path, operations] : definition.at("paths").items()) {
+    if (path.find("{collectionId}") == std::string::npos) continue;
+    const json& reference = operations.at("get").at("parameters")[0].at("$ref");
+    const json& parameter =
+        definition.at(json::json_pointer(reference.get<std::string>().substr(1)));
+    EXPECT_EQ(parameter.at("name"), "collectionId") << path;
+    std::string own = path;
+    own.replace(own.find("{collectionId}"), 14, id);
+    const bool is_answered =
+        own.find("instance") == std::string::npos &&
+        (own.ends_with("/locations/{locationId}") || all_kinds().get(own).status != 404);
+    EXPECT_EQ(parameter.at("schema").at("enum").dump().find(id) != std::string::npos, is_answered)
+        << path;
   }
 }
 
