@@ -1,31 +1,17 @@
 #include "api/door/people/session_routes.h"
 
+#include "api/door/http/page_part.h"
 #include "api/door/http/problem.h"
 #include "api/door/http/trust.h"
-#include "api/door/people/page/assets.h"
+#include "api/web/assets.h"
 #include "fields/base/error.h"
 
 namespace slackwater::people {
-namespace {
 
+using api::http::page_part;
 using api::http::Request;
 using api::http::Response;
 using nlohmann::json;
-
-/// Scripts and connections of this server alone, and in nobody's frame.
-Response page_part(const char* media_type, std::string_view body) {
-  Response response;
-  response.media_type = media_type;
-  response.body = std::string(body);
-  response.headers = {
-      {"Content-Security-Policy",
-       "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
-       "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
-      {"Referrer-Policy", "no-referrer"}};
-  return response;
-}
-
-}  // namespace
 
 Response json_response(const json& body) {
   Response response;
@@ -36,13 +22,13 @@ Response json_response(const json& body) {
 
 void add_page_routes(api::http::Router& router) {
   router.add("GET", "/session", [](const Request&) {
-    return page_part("text/html; charset=utf-8", session_page_html());
+    return page_part("text/html; charset=utf-8", web::session_page().html);
   });
   router.add("GET", "/session/page.js", [](const Request&) {
-    return page_part("text/javascript; charset=utf-8", session_page_script());
+    return page_part("text/javascript; charset=utf-8", web::session_page().script);
   });
   router.add("GET", "/session/page.css", [](const Request&) {
-    return page_part("text/css; charset=utf-8", session_page_style());
+    return page_part("text/css; charset=utf-8", web::session_page().style);
   });
 }
 

@@ -180,7 +180,7 @@ TEST_F(DeskAnswers, WhatCannotBeAnsweredIsRefusedInOneSentence) {
            Refusal{"/sites/farm/workability?limit=x.yaml&duration=2h", 400, "limit: "},
            Refusal{"/sites/farm/climate?of=rain", 400, "of: "},
            Refusal{"/sites/farm/climate?what=hopes", 400, "roses, scatter or extremes"},
-           Refusal{"/sites/farm/climate?return-period=0", 400, "from 0.01"},
+           Refusal{"/sites/farm/climate?return-period=0", 400, "from 0.1 to"},
            Refusal{"/sites/nowhere/slack", 404, "GET /sites"},
            Refusal{"/sites/farm/slack?depth=5000", 404, "a smaller depth"},
            Refusal{"/sites/farm/slack?longitude=10&latitude=10", 404, "nearer to a column"},

@@ -112,12 +112,16 @@ TEST(Trust, AServerThatOthersReachWantsATokenOrWritesNothing) {
 
 // Of a server that writes nothing else, and whatever the machine that asks.
 TEST(Trust, WhatGuardsItselfIsWrittenToWithoutTheServersToken) {
-  ServerOptions options;
-  options.read_only = true;
-  options.guards_itself = [](const Request& request) { return request.path == "/write"; };
+  const auto served_by = [](const Router& router) {
+    ServerOptions options;
+    options.read_only = true;
+    options.guards_itself = [](const Request& request) { return request.path == "/write"; };
+    options.methods_at = [router](const std::string& path) { return router.methods_at(path); };
+    return options;
+  };
   Router router = example_router();
   router.add("POST", "/other", [](const Request&) { return text_response("written"); });
-  const Served served(router, options);
+  const Served served(router, served_by(router));
   HttpClient client = served.client();
   const auto sent = [&](const std::string& line) {
     EXPECT_TRUE(client.send(line + " HTTP/1.1\r\nHost: far.example\r\nForwarded: for=1.2.3.4\r\n"
@@ -125,10 +129,12 @@ TEST(Trust, WhatGuardsItselfIsWrittenToWithoutTheServersToken) {
     return client.receive();
   };
   EXPECT_EQ(sent("POST /write")->status, 200);
-  for (const char* const other : {"POST /other", "POST /write/", "POST /%77rite", "PUT /write"})
+  for (const char* const other : {"POST /other", "POST /%77rite", "POST /write/"})
+    EXPECT_EQ(sent(other)->status, 401) << other;
+  for (const char* const other : {"POST /nowhere", "PUT /write"})
     EXPECT_EQ(sent(other)->status, 405) << other;
-  EXPECT_EQ(sent("OPTIONS /write")->field("allow"), "GET, HEAD, OPTIONS, POST");
-  EXPECT_EQ(sent("OPTIONS /other")->field("allow"), "GET, HEAD, OPTIONS");
+  EXPECT_EQ(sent("OPTIONS /write")->field("allow"), "POST, OPTIONS");
+  EXPECT_EQ(sent("OPTIONS /short")->field("allow"), "GET, HEAD, OPTIONS");
 }
 
 }  // namespace

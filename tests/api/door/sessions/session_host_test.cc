@@ -50,6 +50,7 @@ struct ServeSessions : testing::Test {
     api::http::ServerOptions options;
     options.read_only = true;
     options.guards_itself = sessions::is_for_supervisors;
+    options.methods_at = [router](const std::string& path) { return router.methods_at(path); };
     server = std::make_unique<api::http::Server>(options, router);
     server->start();
     port = server->port();

@@ -1,0 +1,14 @@
+/// What a page of ours is made of, as answers that keep it to itself.
+#pragma once
+
+#include <string_view>
+
+#include "api/door/http/message.h"
+
+namespace slackwater::api::http {
+
+/// Scripts, styles and connections of this server alone, and in nobody's frame. Kept for a minute:
+/// another build of the program may be started in its place.
+[[nodiscard]] Response page_part(std::string_view media_type, std::string_view body);
+
+}  // namespace slackwater::api::http

@@ -1,0 +1,93 @@
+// The legend: what each sign is, and whether a direction is meant "to" or "from".
+import type { Desk } from '../look/desk';
+import { drawn, element, set_text } from '../../look/element';
+import { current_arrow, wave_arrow, wind_barb } from './arrows';
+
+const LEGEND_M_S = 0.5;
+export type Layer = 'current' | 'wind' | 'waves' | 'names';
+export type Shown = Record<Layer, boolean>;
+
+export function legend(
+  desk: Desk,
+  shown: Shown,
+  on_change: () => void,
+): { node: HTMLElement; say: (depth_m: number | null) => void } {
+  const current = element('span');
+  const rows: [Layer, SVGElement | null, HTMLElement][] = [
+    ['current', current_arrow(LEGEND_M_S, 90), current],
+    ['wind', wind_barb(7.7, 270), words('Wind at 10 m, from: the staff stands to windward')],
+    ['waves', wave_arrow(1, 270), words('Waves, from: the arrow comes in; longer is higher')],
+    ['names', null, words('Names and values')],
+  ];
+  const node = element('details', { class: 'legend' }, element('summary', {}, 'Legend'));
+  for (const [layer, sign, text] of rows) {
+    const box = element('input', { type: 'checkbox', checked: shown[layer] });
+    box.addEventListener('change', () => {
+      shown[layer] = box.checked;
+      on_change();
+    });
+    node.append(element('label', { class: 'check' }, box, sign_of(sign, layer), text));
+  }
+  node.append(
+    fixed(drawn('circle', { class: 'column', r: 4 }), 'Column of the forecast, with its bed depth'),
+    fixed(turbine_sign(), 'Turbine'),
+    fixed(drawn('path', { class: 'cable', d: 'M-16,0 L16,0' }), 'Cable'),
+    fixed(drawn('path', { class: 'area', d: 'M-15,-7 h30 v14 h-30 Z' }), 'Zone'),
+    fixed(place_sign(), 'Chosen place'),
+    element('p', { class: 'note' }, 'Coast: Natural Earth 1:50 million. Not for navigation.'),
+    element(
+      'p',
+      { class: 'note' },
+      'Keys on the map: arrows move, + and − zoom, 0 shows all, Enter takes the middle.',
+    ),
+  );
+  const say = (depth_m: number | null): void => {
+    const speed = desk.look.speed(LEGEND_M_S);
+    set_text(
+      current,
+      depth_m === null
+        ? `Current, to: the arrow goes with the water; this long is ${speed}`
+        : `Current at ${depth_m} m, to: the arrow goes with the water; this long is ${speed}`,
+    );
+  };
+  say(null);
+  return { node, say };
+}
+
+function words(text: string): HTMLElement {
+  return element('span', {}, text);
+}
+
+function sign_of(sign: SVGElement | null, layer: Layer): SVGElement | string {
+  if (sign === null) return '';
+  const offset = layer === 'current' ? -24 : 24;
+  return drawn(
+    'svg',
+    { class: 'sign', viewBox: '-22 -12 44 24', 'aria-hidden': 'true' },
+    drawn('g', { transform: `translate(${offset} 0)` }, sign),
+  );
+}
+
+function fixed(sign: SVGElement, text: string): HTMLElement {
+  const picture = drawn('svg', { class: 'sign', viewBox: '-22 -12 44 24', 'aria-hidden': 'true' });
+  picture.append(sign);
+  return element('p', { class: 'check' }, picture, words(text));
+}
+
+export function turbine_sign(): SVGElement {
+  return drawn(
+    'g',
+    { class: 'turbine' },
+    drawn('path', { d: 'M0,0 L0,-8 M0,0 L7,4 M0,0 L-7,4' }),
+    drawn('circle', { r: 2 }),
+  );
+}
+
+export function place_sign(): SVGElement {
+  return drawn(
+    'g',
+    { class: 'place' },
+    drawn('path', { class: 'halo', d: 'M-13,0 h8 M5,0 h8 M0,-13 v8 M0,5 v8' }),
+    drawn('path', { d: 'M-13,0 h8 M5,0 h8 M0,-13 v8 M0,5 v8' }),
+  );
+}
