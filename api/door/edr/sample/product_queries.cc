@@ -150,13 +150,27 @@ std::vector<UtcTime> times_of(const Asked& asked, const ProductView& view,
                                     format_utc(asked.to));
 }
 
+/// Levels this near are one.
+constexpr double same_level_m = 1e-3;
+
+/// "depth 0 to 30 m", "height 10 m alone".
+std::string levels_text(const StoredProduct& product, const std::vector<double>& levels_m) {
+  const char* kind = vertical_of(product) == Vertical::height_up ? "height" : "depth";
+  if (levels_m.size() == 1) return formatted("{} {:g} m alone", kind, levels_m.front());
+  return formatted("{} {:g} to {:g} m", kind, levels_m.front(), levels_m.back());
+}
+
+/// Whether a level lies between the first and the last of a product.
+bool is_held(double level_m, const std::vector<double>& levels_m) {
+  return level_m >= levels_m.front() - same_level_m && level_m <= levels_m.back() + same_level_m;
+}
+
 /// Empty without a vertical.
 /// @param own  points that have their levels themselves
 std::vector<double> levels_of(const Asked& asked, const ProductView& view, const Path& own = {}) {
   const StoredProduct& product = *asked.product;
-  const Vertical vertical = vertical_of(product);
   const std::vector<double>& all = view.levels_m();
-  if (vertical == Vertical::none || all.empty()) {
+  if (vertical_of(product) == Vertical::none || all.empty()) {
     if (asked.z && !asked.z->empty()) {
       throw Error(ErrorKind::usage, "z: found " + shown(*asked.z) + "; the collection " +
                                         product.id + " has no vertical; leave z out");
@@ -164,21 +178,14 @@ std::vector<double> levels_of(const Asked& asked, const ProductView& view, const
     return {};
   }
   if (!asked.z && own.empty()) return all;
-  constexpr double rounding_m = 1e-3;
-  const double low = all.front() - rounding_m;
-  const double high = all.back() + rounding_m;
-  const std::string kind = vertical == Vertical::height_up ? "height" : "depth";
-  const std::string held = all.size() == 1
-                               ? formatted("{} {:g} m alone", kind, all.front())
-                               : formatted("{} {:g} to {:g} m", kind, all.front(), all.back());
   std::vector<double> levels;
   levels.reserve(own.size());
   for (const Vertex& point : own) levels.push_back(point.vertical);
-  const bool is_any_held = std::any_of(levels.begin(), levels.end(),
-                                       [&](double level) { return level >= low && level <= high; });
-  if (is_any_held) return levels;
-  const std::string z = asked.z ? *asked.z : formatted("{}", levels.front());
-  return levels_asked(z, low, high, all, "the product", held);
+  if (std::any_of(levels.begin(), levels.end(), [&](double z) { return is_held(z, all); }))
+    return levels;
+  return levels_asked(asked.z ? *asked.z : formatted("{}", levels.front()),
+                      all.front() - same_level_m, all.back() + same_level_m, all, "the product",
+                      levels_text(product, all));
 }
 
 /// Places of the answer, and how they become coverages.
@@ -307,6 +314,11 @@ Answer filled(const Asked& asked, const ProductView& view, const Places& places,
   for (const std::size_t i : asked.parameters) answer.parameters.push_back(asked.all[i]);
   answer.notes = std::move(notes);
   add_notes(product, values, view.damaged(), answer.notes);
+  if (!std::all_of(levels.begin(), levels.end(),
+                   [&](double level) { return is_held(level, view.levels_m()); })) {
+    answer.notes.push_back("levels that the product does not reach have no value: it holds " +
+                           levels_text(product, view.levels_m()));
+  }
   answer.provenance.attributions = product.attributions;
   answer.provenance.product = ProductSource{product.product_id,
                                             product.dataset_id,

@@ -238,8 +238,11 @@ TEST(EdrProducts, BadInputGetsOneClearProblem) {
                          {{"coords", "LINESTRING(6.4 54,6.5 54)"}})
                 .find("position"),
             std::string::npos);
-  EXPECT_NE(all_kinds().refusal(404, std::string(currents) + "/instances").find("forecast_period"),
-            std::string::npos);
+  for (const char* none : {"/instances", "/items"}) {
+    const std::string refused = all_kinds().refusal(404, std::string(currents) + none);
+    EXPECT_NE(refused.find("forecast_period"), std::string::npos) << refused;
+    EXPECT_NE(refused.find("position, radius, area, cube or locations"), std::string::npos);
+  }
 }
 
 TEST(EdrProducts, AnalysesAndRunsAreToldApart) {
@@ -430,6 +433,16 @@ TEST(EdrProducts, EachOfSeveralPointsHasItsOwnDepth) {
                 .refusal(404, std::string(currents) + "/position",
                          {{"coords", "MULTIPOINT Z((6.5 54 400),(6.5 54 500))"}})
                 .find("depth 0 to 30 m"),
+            std::string::npos);
+  const json half = service.document(std::string(currents) + "/position",
+                                     {{"coords", "MULTIPOINT Z((6.5 54 5),(6.5 54 500))"}});
+  EXPECT_FALSE(std::isnan(values_of(half.at("coverages")[0], east_current).front()));
+  EXPECT_TRUE(std::isnan(values_of(half.at("coverages")[1], east_current).front()));
+  EXPECT_NE(notes_of(half).find("does not reach have no value: it holds depth 0 to 30 m"),
+            std::string::npos);
+  EXPECT_EQ(notes_of(service.document(std::string(currents) + "/position",
+                                      {{"coords", "MULTIPOINT Z((6.5 54 0),(6.5 54 30))"}}))
+                .find("does not reach"),
             std::string::npos);
 }
 
