@@ -6,6 +6,7 @@ import { Section, refusal_text } from '../decide/section';
 import type { Desk } from '../look/desk';
 import { button, element } from '../../look/element';
 import { Refused } from '../server/server';
+import { or_token_form } from '../server/token_form';
 import { Draft, type Texts } from './draft';
 import { fields } from './fields';
 import { changed_files, command_lines, save } from './files';
@@ -133,7 +134,8 @@ class WhatIfPanel {
       return;
     }
     this.asking = draft;
-    await this.outcome.show(this.ask(draft));
+    const again = (): void => this.work_out();
+    await this.outcome.show(this.ask(draft).catch(or_token_form(this.desk.server, again)));
     if (this.asking !== draft) return;
     this.asking = null;
     if (this.is_outdated) this.work_out();
