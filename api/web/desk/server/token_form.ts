@@ -8,7 +8,7 @@ const HINT =
 const IN_CLEAR = ' This address is http: others on the network can read what is sent.';
 
 /**
- * For the `catch` of what posts: the field, where the token is what is wanting; other problems pass.
+ * For the `catch` of what posts: the field, where the token is wanting. Other problems pass.
  * @param again  asks once more, with the token that was given
  */
 export function or_token_form(
