@@ -1,27 +1,19 @@
 // Our forecast at the place and the stored products that reach it, quantity by quantity.
 import type { ForecastInForce } from '../server/answers';
 import { value_at, type Column } from '../server/coverage';
-import { fetch_product, reaches, type Kind, type Product } from '../server/products';
+import {
+  fetch_product,
+  level_of,
+  QUANTITIES,
+  reaches,
+  type Kind,
+  type Product,
+} from '../server/products';
 import type { Server } from '../server/server';
 import type { Place } from '../view';
 import { told, type Told } from './water';
 
-/** What is compared, by CF name: how much, and which way. */
-export const QUANTITIES: Record<Kind, { size: string; way: string; word: 'to' | 'from' }> = {
-  currents: {
-    size: 'sea_water_speed',
-    way: 'sea_water_velocity_to_direction',
-    word: 'to',
-  },
-  wind: { size: 'wind_speed', way: 'wind_from_direction', word: 'from' },
-  waves: {
-    size: 'sea_surface_wave_significant_height',
-    way: 'sea_surface_wave_from_direction',
-    word: 'from',
-  },
-};
 const PERIOD = 'forecast_period';
-const WIND_M = 10;
 
 export interface Model {
   letter: string; // at the end of its line
@@ -37,14 +29,6 @@ export interface Compared {
   /** By level; of waves one, at 0. */
   ours: Map<number, Told>;
   models: Model[];
-}
-
-/** Where a product is asked: at the depth that is chosen, at 10 m, or at its own height. */
-export function level_of({ kind, levels }: Product, depth_m: number): number | null {
-  if (kind === 'waves') return null;
-  if (kind === 'currents') return depth_m;
-  if (levels === null) return WIND_M;
-  return Math.min(levels.most_m, Math.max(levels.least_m, WIND_M));
 }
 
 /** Null where no product of this kind reaches the place. */

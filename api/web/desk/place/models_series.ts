@@ -1,11 +1,10 @@
-// Ours and the products' as lines: ours is wide and whole; each other has its dash, its sign and its
+// Ours and the products' as lines. Ours is wide and whole; each other has its dash, its sign and its
 // letter, so that grey paper and any eye tell them apart.
 import type { Colours } from '../look/colours';
 import type { Look } from '../look/look';
 import type { Value } from '../server/coverage';
-import type { Kind } from '../server/products';
+import { QUANTITIES, type Kind } from '../server/products';
 import type { Compared } from './models';
-import { QUANTITIES } from './models';
 import { values_of } from './over_time';
 import type { Line, Series } from './series_chart';
 

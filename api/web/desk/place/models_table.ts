@@ -3,8 +3,8 @@ import type { Look } from '../look/look';
 import { element, scroll_region } from '../../look/element';
 import { is_known, NOT_KNOWN } from '../look/units';
 import { time_index, value_at, type Column } from '../server/coverage';
-import type { Kind } from '../server/products';
-import { QUANTITIES, what_it_is, type Compared, type Model } from './models';
+import { QUANTITIES, type Kind } from '../server/products';
+import { what_it_is, type Compared, type Model } from './models';
 
 /** "0.42 m/s to 120°"; with its own time where that is another. */
 export function value_text(look: Look, kind: Kind, column: Column | null, at_ms: number): string {

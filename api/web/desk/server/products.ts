@@ -6,6 +6,22 @@ import { Refused, type Server } from './server';
 export const KINDS = ['currents', 'wind', 'waves'] as const;
 export type Kind = (typeof KINDS)[number];
 
+/** By CF name: how much, and which way. */
+export const QUANTITIES: Record<Kind, { size: string; way: string; word: 'to' | 'from' }> = {
+  currents: {
+    size: 'sea_water_speed',
+    way: 'sea_water_velocity_to_direction',
+    word: 'to',
+  },
+  wind: { size: 'wind_speed', way: 'wind_from_direction', word: 'from' },
+  waves: {
+    size: 'sea_surface_wave_significant_height',
+    way: 'sea_surface_wave_from_direction',
+    word: 'from',
+  },
+};
+const WIND_M = 10;
+
 export interface Product {
   id: string;
   kind: Kind;
@@ -20,6 +36,8 @@ export interface Product {
 /** What was asked of a product: its values, or in their place what the server said. */
 export interface ProductTold {
   columns: Column[];
+  /** Of all its cells, those without a value too. */
+  axes: { x: number[]; y: number[] };
   refused: string | null;
   runs: string[]; // as the server says them: "analysis", "forecast of TIME"
   notes: string[];
@@ -34,6 +52,11 @@ interface Collection {
     vertical?: { interval?: (string | number)[][] };
   };
   parameter_names?: Record<string, unknown>;
+}
+
+interface Answer {
+  domain?: { axes?: { x?: { values?: number[] }; y?: { values?: number[] } } };
+  'slackwater:provenance'?: { runs?: string[]; notes?: string[] };
 }
 
 export async function fetch_products(server: Server): Promise<Product[]> {
@@ -72,6 +95,14 @@ export function reaches({ boxes }: Product, { longitude_deg, latitude_deg }: Pla
   });
 }
 
+/** Where a product is asked: at the depth that is chosen, at 10 m, or at its own height. */
+export function level_of({ kind, levels }: Product, depth_m: number): number | null {
+  if (kind === 'waves') return null;
+  if (kind === 'currents') return depth_m;
+  if (levels === null) return WIND_M;
+  return Math.min(levels.most_m, Math.max(levels.least_m, WIND_M));
+}
+
 /** @param query  its name and its words: "position?coords=…" */
 export async function fetch_product(
   server: Server,
@@ -79,14 +110,16 @@ export async function fetch_product(
   query: string,
 ): Promise<ProductTold> {
   try {
-    const answer = await server.get<{ 'slackwater:provenance'?: Partial<ProductTold> }>(
+    const answer = await server.get<Answer>(
       `/collections/${encodeURIComponent(product.id)}/${query}`,
     );
     const { runs = [], notes = [] } = answer['slackwater:provenance'] ?? {};
     const columns = read_coverages(answer).filter(({ times_ms }) => times_ms.length > 0);
-    return { columns, refused: null, runs, notes };
+    const { x, y } = answer.domain?.axes ?? {};
+    const axes = { x: x?.values ?? [], y: y?.values ?? [] };
+    return { columns, axes, refused: null, runs, notes };
   } catch (problem) {
     if (!(problem instanceof Refused)) throw problem;
-    return { columns: [], refused: problem.detail, runs: [], notes: [] };
+    return { columns: [], axes: { x: [], y: [] }, refused: problem.detail, runs: [], notes: [] };
   }
 }
