@@ -160,6 +160,7 @@ export function cells_layer(desk: Desk): CellsLayer {
     if (is_gone) options.push(element('option', { value: cells }, 'Not in the store'));
     select.replaceChildren(element('option', { value: '' }, 'None'), ...options);
     select.value = cells;
+    select.title = select.selectedOptions[0]?.text ?? '';
     set_hidden(choice, products.length === 0 && cells === '');
   };
   const load = async (): Promise<void> => {

@@ -1,5 +1,5 @@
-// Ours and the products' as lines. Ours is wide and whole; each other has its dash, its sign and its
-// letter, so that grey paper and any eye tell them apart.
+// Ours and the products' as lines. Ours is wide and whole; each other has its dash, its sign and
+// its letter, so that grey paper and any eye tell them apart.
 import type { Colours } from '../look/colours';
 import type { Look } from '../look/look';
 import type { Value } from '../server/coverage';
