@@ -34,7 +34,7 @@ interface Shown extends Cells {
   asked_level_m: number | null;
 }
 
-export function cells_layer(desk: Desk): CellsLayer {
+export function cells_layer(desk: Desk, wait_ms = WAIT_MS): CellsLayer {
   const { view, server, look } = desk;
   let products: Product[] = [];
   let shown: Shown | null = null;
@@ -43,7 +43,11 @@ export function cells_layer(desk: Desk): CellsLayer {
   let asked = 0;
   let timer: ReturnType<typeof setTimeout> | undefined;
 
-  const node = drawn('g', { class: 'cells' });
+  let drawn_as = ''; // where the camera was, and which cells
+  let drawings = 0;
+
+  const [marks, arrows] = [drawn('g'), drawn('g')];
+  const node = drawn('g', { class: 'cells' }, arrows, marks);
   const select = element('select');
   select.addEventListener('change', () => view.set({ cells: select.value }));
   const choice = labelled('Product cells', select);
@@ -96,23 +100,32 @@ export function cells_layer(desk: Desk): CellsLayer {
     set_hidden(legend, product === null);
     if (product !== null) show_legend(legend, product);
     show_table();
-    if (shown === null || seen === null) return node.replaceChildren();
+    if (shown === null || seen === null) {
+      for (const group of [marks, arrows]) group.replaceChildren();
+      drawn_as = '';
+      return;
+    }
     const { to } = seen;
-    const with_arrows = is_of_now(shown);
+    const { columns } = shown;
     const { kind, name } = shown.product;
-    node.replaceChildren(
-      ...shown.columns.map((column) => {
-        const sign = with_arrows ? arrow_of(kind, column) : null;
-        const words = with_arrows ? `${name}\n${texts_of(desk, kind, column).join(' ')}` : name;
-        return drawn(
-          'g',
-          { transform: `translate(${screen(to, column)})` },
-          ...(sign === null ? [] : [sign]),
-          cell_sign(),
-          drawn('title', {}, words),
-        );
-      }),
-    );
+    const at = JSON.stringify([to.scale(), to.center(), to.translate(), drawings]);
+    if (at !== drawn_as) {
+      marks.replaceChildren(...columns.map((column) => cell_sign(screen(to, column), name)));
+    }
+    // An arrow of another hour is none; its square stays where it is.
+    if (!is_of_now(shown)) arrows.replaceChildren();
+    else if (at !== drawn_as || arrows.childElementCount === 0) {
+      arrows.replaceChildren(
+        ...columns.flatMap((column) => {
+          const sign = arrow_of(kind, column);
+          if (sign === null) return [];
+          const words = `${name}\n${texts_of(desk, kind, column).join(' ')}`;
+          const place = { transform: `translate(${screen(to, column)})` };
+          return [drawn('g', place, sign, drawn('title', {}, words))];
+        }),
+      );
+    }
+    drawn_as = at;
   };
   const ask = async (product: Product, at_ms: number, box: Box): Promise<void> => {
     asked += 1;
@@ -121,6 +134,7 @@ export function cells_layer(desk: Desk): CellsLayer {
     try {
       const came = await fetch_cells(server, { product, at_ms, depth_m }, box);
       if (mine !== asked) return;
+      drawings += 1;
       shown = { ...came, product, box, at_ms, asked_level_m: level_of(product, depth_m) };
       const at = came.columns[0]?.times_ms[0] ?? at_ms;
       const own_time =
@@ -149,7 +163,7 @@ export function cells_layer(desk: Desk): CellsLayer {
     if (now === wanted) return;
     wanted = now;
     clearTimeout(timer);
-    timer = setTimeout(() => void ask(product, at_ms, box), WAIT_MS);
+    timer = setTimeout(() => void ask(product, at_ms, box), wait_ms);
   };
   const show_choice = (): void => {
     const { cells } = view.values;
@@ -176,6 +190,9 @@ export function cells_layer(desk: Desk): CellsLayer {
   };
   desk.onChange((changed) => {
     if (changed.has('cells')) show_choice();
+    if (changed.has('server') || changed.has('forecast')) wanted = ''; // it may answer otherwise
+    if (changed.has('server') && server.link.is === 'there' && products.length === 0) void load();
+    if (changed.has('speed') || changed.has('directions')) drawings += 1; // other words
   });
   show_choice();
   const draw = (to: GeoProjection, box: Box): void => {
@@ -229,8 +246,9 @@ function sign_of(
 }
 
 /** A square: the columns of our forecast are round. */
-function cell_sign(): SVGElement {
-  return drawn('rect', { class: 'cell', x: -2.5, y: -2.5, width: 5, height: 5 });
+function cell_sign([x, y]: readonly [number, number], name: string): SVGElement {
+  const square = { class: 'cell', x: x - 2.5, y: y - 2.5, width: 5, height: 5 };
+  return drawn('rect', square, drawn('title', {}, name));
 }
 
 const LEGEND: Record<Kind, [number, number, string]> = {
@@ -244,7 +262,7 @@ function show_legend(legend: HTMLElement, { kind, name }: Product): void {
   const [much, way_deg, words] = LEGEND[kind];
   const sign = sign_of(kind, much, way_deg);
   const picture = drawn('svg', { class: 'sign', viewBox: '-22 -12 44 24', 'aria-hidden': 'true' });
-  const inside = [...(sign === null ? [] : [sign]), cell_sign()];
+  const inside = [...(sign === null ? [] : [sign]), cell_sign([0, 0], name)];
   picture.append(drawn('g', { transform: `translate(${MIDDLE_PX[kind]} 0)` }, ...inside));
   legend.replaceChildren(
     picture,

@@ -132,7 +132,7 @@ const COLLECTIONS = (id: string): unknown => ({
 });
 const CAMERA = { longitude_deg: -2.55, latitude_deg: 48.85, zoom: 11 };
 const to = projection_of(CAMERA, { width: 600, height: 500 });
-const soon = (): Promise<void> => new Promise((over) => setTimeout(over, 300));
+const soon = (): Promise<void> => new Promise((over) => setTimeout(over, 15));
 
 async function layer_of(values = {}): Promise<{
   layer: ReturnType<typeof cells_layer>;
@@ -140,7 +140,7 @@ async function layer_of(values = {}): Promise<{
   give: (speed: number | null) => Promise<void>;
 }> {
   const server = late_server(two_sites(), {}, { site: 'a', at_ms: AT, ...values });
-  const layer = cells_layer(server.desk);
+  const layer = cells_layer(server.desk, 5);
   document.body.replaceChildren(layer.choice, layer.says, layer.legend, layer.table);
   const loading = layer.load();
   await server.answer('/collections', COLLECTIONS(`own-${(products += 1)}`));
@@ -155,6 +155,8 @@ async function layer_of(values = {}): Promise<{
   };
   return { layer, server, give };
 }
+const words_of = (layer: { node: SVGElement }): string =>
+  layer.node.querySelector('path.current ~ title')?.textContent ?? '';
 const choose = (layer: { choice: HTMLElement }): void => {
   const select = layer.choice.querySelector('select');
   if (select === null) throw new Error('there is no choice');
@@ -177,13 +179,19 @@ test('NothingIsAskedUntilAProductIsChosen', async () => {
   layer.draw(to, VIEW);
   await give(0.3);
   expect(layer.node.querySelectorAll('rect.cell').length).toBeGreaterThan(8);
-  expect(layer.node.querySelectorAll('path.current').length).toBe(layer.node.childElementCount);
-  expect(layer.node.querySelector('title')?.textContent).toBe('model\n0.30 m/s to 090°');
+  const cells = layer.node.querySelectorAll('rect.cell').length;
+  expect(layer.node.querySelectorAll('path.current').length).toBe(cells);
+  expect(words_of(layer)).toBe('model\n0.30 m/s to 090°');
+  server.desk.view.set({ speed: 'knots' });
+  layer.draw(to, VIEW);
+  expect(words_of(layer)).toBe('model\n0.58 kn to 090°');
+  server.desk.view.set({ speed: 'm/s' });
+  layer.draw(to, VIEW);
   expect(layer.legend.textContent).toContain('current, to');
   layer.table.setAttribute('open', '');
   layer.table.dispatchEvent(new Event('toggle'));
   expect(layer.table.querySelector('tbody tr')?.textContent).toContain('0.30 m/sto 090°');
-  expect(layer.table.querySelectorAll('tbody tr').length).toBe(layer.node.childElementCount);
+  expect(layer.table.querySelectorAll('tbody tr').length).toBe(cells);
 });
 
 test('AnArrowOfAnotherHourOrDepthIsNotShown', async () => {
@@ -198,7 +206,7 @@ test('AnArrowOfAnotherHourOrDepthIsNotShown', async () => {
     expect(layer.node.querySelector('path.current')).toBeNull();
     expect(layer.table.hidden).toBe(true);
     await give(0.4);
-    expect(layer.node.querySelector('title')?.textContent).toContain('0.40 m/s');
+    expect(words_of(layer)).toContain('0.40 m/s');
   }
 });
 
@@ -216,10 +224,29 @@ test('WhatComesTooLateIsNotShownAndNothingIsAskedTwice', async () => {
   const [of_20, of_10] = [...server.waiting];
   await of_10?.answer(grid(of_10.path, 0.1, 0.1));
   await of_20?.answer(grid(of_20.path, 0.1, 0.2));
-  expect(layer.node.querySelector('title')?.textContent).toContain('0.10 m/s');
+  expect(words_of(layer)).toContain('0.10 m/s');
   layer.draw(to, VIEW);
   await soon();
   expect(server.waiting).toEqual([]);
+});
+
+test('AServerThatIsBackIsAskedAgain', async () => {
+  const { layer, server, give } = await layer_of();
+  choose(layer);
+  layer.draw(to, VIEW);
+  await soon();
+  while (server.waiting.length > 0) {
+    await server.waiting[0]?.answer({ detail: 'the store is busy' }, 503);
+  }
+  expect(layer.says.textContent).toBe('the store is busy');
+  layer.draw(to, VIEW);
+  await soon();
+  expect(server.waiting).toEqual([]);
+  server.desk.view.tell(new Set(['server']));
+  layer.draw(to, VIEW);
+  await give(0.3);
+  expect(layer.says.textContent).toBe('');
+  expect(layer.node.querySelectorAll('rect.cell').length).toBeGreaterThan(8);
 });
 
 test('NoValueIsNoCell', async () => {
@@ -227,7 +254,7 @@ test('NoValueIsNoCell', async () => {
   choose(layer);
   layer.draw(to, VIEW);
   await give(null);
-  expect(layer.node.childElementCount).toBe(0);
+  expect(layer.node.querySelector('rect, path')).toBeNull();
   expect(layer.says.textContent).toContain('no value');
 });
 
@@ -237,7 +264,7 @@ test('ZoomedOutItIsSaidToZoomIn', async () => {
   layer.draw(to, { west: -5.9, south: 46, east: -0.1, north: 50.9 });
   await give(0.3);
   expect(layer.says.textContent).toMatch(/^Zoom in to see the cells: there are about \d+ here/);
-  expect(layer.node.childElementCount).toBe(0);
+  expect(layer.node.querySelector('rect, path')).toBeNull();
 });
 
 test('AProductThatIsGoneIsNamedSo', async () => {
@@ -245,5 +272,5 @@ test('AProductThatIsGoneIsNamedSo', async () => {
   const select = layer.choice.querySelector('select');
   expect(select?.selectedOptions[0]?.text).toBe('Not in the store');
   layer.draw(to, VIEW);
-  expect(layer.node.childElementCount).toBe(0);
+  expect(layer.node.querySelector('rect, path')).toBeNull();
 });
