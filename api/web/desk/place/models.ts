@@ -11,6 +11,7 @@ import {
 } from '../server/products';
 import type { Server } from '../server/server';
 import type { Place } from '../view';
+import { BESIDE } from './models_beside';
 import { told, type Told } from './water';
 
 const PERIOD = 'forecast_period';
@@ -62,7 +63,7 @@ export async function fetch_compared(
   );
   const of_products = there.map(async (product, i): Promise<Model> => {
     const level_m = level_of(product, depth_m);
-    const names = [size, way, PERIOD].filter((name) => product.parameters.includes(name));
+    const names = [size, way, ...BESIDE[kind], PERIOD].filter((name) => product.parameters.includes(name));
     const came = await fetch_product(server, product, query(level_m, names));
     return {
       letter: letter_of(i),

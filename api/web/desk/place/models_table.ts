@@ -5,6 +5,7 @@ import { is_known, NOT_KNOWN } from '../look/units';
 import { time_index, value_at, type Column } from '../server/coverage';
 import { QUANTITIES, type Kind } from '../server/products';
 import { what_it_is, type Compared, type Model } from './models';
+import { beside_lines } from './models_beside';
 
 /** "0.42 m/s to 120°"; with its own time where that is another. */
 export function value_text(look: Look, kind: Kind, column: Column | null, at_ms: number): string {
@@ -40,16 +41,20 @@ export function models_table(
   const row = ({ letter, name, level_m, told: { column } }: Model): HTMLElement => {
     const time = column === null ? -1 : time_index(column, at_ms);
     const height = kind === 'wind' && level_m !== null ? `, at ${level_m} m` : '';
-    const cells = [
-      value_text(look, kind, column, at_ms),
-      value_text(look, kind, ours.get(level_m ?? 0)?.column ?? null, at_ms),
-      column === null || time < 0 ? NOT_KNOWN : what_it_is(column, time),
+    const beside = column === null || time < 0 ? [] : beside_lines(look, column, time);
+    const cells: (string | Node)[][] = [
+      [
+        value_text(look, kind, column, at_ms),
+        ...beside.map((line) => element('div', { class: 'note' }, line)),
+      ],
+      [value_text(look, kind, ours.get(level_m ?? 0)?.column ?? null, at_ms)],
+      [column === null || time < 0 ? NOT_KNOWN : what_it_is(column, time)],
     ];
     return element(
       'tr',
       {},
       element('th', { scope: 'row' }, `${letter}: ${name}${height}`),
-      ...cells.map((text) => element('td', {}, text)),
+      ...cells.map((parts) => element('td', {}, ...parts)),
     );
   };
   const head = element('tr', {}, ...heads.map((text) => element('th', { scope: 'col' }, text)));
