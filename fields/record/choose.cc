@@ -6,6 +6,7 @@
 #include "fields/record/cadence.h"
 #include "fields/record/join.h"
 #include "fields/record/product_run.h"
+#include "fields/record/run_steps.h"
 
 namespace slackwater {
 namespace {
@@ -26,13 +27,14 @@ int unlikeness(const Origin& one, const Origin& other, bool are_means) {
 
 /// The values of a run that lie in time that nobody has taken, in parts that hang together.
 template <typename T>
-std::vector<Part<T>> parts_left(const ProductRun<T>& run, std::size_t rank,
-                                const TakenTime& taken) {
+std::vector<Part<T>> parts_left(const ProductRun<T>& run, std::size_t rank, const TakenTime& taken,
+                                const FilledPauses& filled) {
   std::vector<Part<T>> parts;
   const std::vector<UtcTime> centres = run.centres();
   bool hangs_together = false;
   for (std::size_t i = 0; i < centres.size(); ++i) {
-    if (i > 0 && (!hangs_on(centres, i) || taken.reaches_into(centres[i - 1], centres[i])))
+    if (i > 0 && (!hangs_on(centres, i) || taken.reaches_into(centres[i - 1], centres[i]) ||
+                  filled.holds(centres[i - 1], centres[i])))
       hangs_together = false;
     if (taken.holds(centres[i])) {
       hangs_together = false;
@@ -52,8 +54,16 @@ std::vector<Part<T>> shared_out(const std::vector<const ProductRun<T>*>& runs) {
   std::vector<Part<T>> parts;
   TakenTime taken;
   for (std::size_t rank = 0; rank < runs.size(); ++rank) {
-    for (Part<T>& part : parts_left(*runs[rank], rank, taken)) parts.push_back(part);
-    for (const TimeSpan& span : whole_parts(runs[rank]->centres())) taken.take(span);
+    const std::vector<UtcTime> centres = runs[rank]->centres();
+    const FilledPauses filled(*runs[rank], runs);
+    for (Part<T>& part : parts_left(*runs[rank], rank, taken, filled)) parts.push_back(part);
+    for (std::size_t i = 0, first = 0; i < centres.size(); ++i) {
+      const bool is_last = i + 1 == centres.size();
+      if (!is_last && hangs_on(centres, i + 1) && !filled.holds(centres[i], centres[i + 1]))
+        continue;
+      taken.take({centres[first], centres[i]});
+      first = i + 1;
+    }
   }
   return parts;
 }

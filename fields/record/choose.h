@@ -63,10 +63,11 @@ struct Choice {
 ///   4. made for a region before global           8. stated nearer to 10 m (winds)
 ///   5. of finer grid                             9. on more levels, then by name
 ///
-/// A run lasts from its first to its last value; holes in it (cadence.h) are for others. What is
-/// missing stays missing. Of values of one run that came more than once the last published counts,
-/// where nobody says when, the last received. Runs on other levels than the best are left out.
-/// Members of an ensemble do not speak by themselves: their mean does. Point series at several
+/// A run lasts from its first to its last value; holes in it (cadence.h) are for others, and so is
+/// the time between analysed values that the dataset's own, finer forecasts fill (run_steps.h).
+/// What is missing stays missing. Of values of one run that came more than once the last published
+/// counts, where nobody says when, the last received. Runs on other levels than the best are left
+/// out. Members of an ensemble do not speak by themselves: their mean does. Point series at several
 /// places are not mixed: where no dataset is asked for, the nearest that has a known value speaks.
 ///
 /// With a ramp the run of lower rank is moved onto the other at a join: by the difference of the

@@ -49,6 +49,52 @@ TEST(Choose, AnAnalysisBeatsAForecastThatWasIngestedLater) {
   EXPECT_EQ(winner(station_of("model", 1), forecast_of("model", later, 9)), 1);
 }
 
+/// Four runs of a day and a half at steps of an hour, each of which begins with its analysis; what
+/// is known after the last began. Values say the run, in days.
+VectorRecord runs_that_begin_with_their_analysis(std::deque<Origin>& origins, hours apart) {
+  VectorRecord record;
+  for (int n = 0; n < 4; ++n) {
+    const UtcTime run = midnight + n * apart;
+    origins.push_back(analysis_of("model", 10 + n));
+    record.pieces.push_back(
+        vector_piece(origins.back(), instants(run, run), {}, steady({double(n), 0})));
+    origins.push_back(forecast_of("model", run, 20 + n));
+    record.pieces.push_back(vector_piece(origins.back(), instants(run + hours(1), run + hours(36)),
+                                         {}, steady({double(n), 0})));
+  }
+  return record;
+}
+
+TEST(Choose, RunsThatBeginWithTheirAnalysisAreAsFineAsTheyAre) {
+  for (const hours apart : {hours(6), hours(12), hours(24)}) {
+    std::deque<Origin> origins;
+    const VectorRecord record = runs_that_begin_with_their_analysis(origins, apart);
+    const Chosen<Horizontal> chosen = choose(record, {}, {});
+    const UtcTime last = midnight + 3 * apart + hours(36);
+    EXPECT_EQ(chosen.column.time, instants(midnight, last)) << apart.count() << " h apart";
+    for (std::size_t t = 0; t < chosen.column.times(); ++t) {
+      const auto lead = chosen.column.time[t].centre() - midnight;
+      EXPECT_EQ(chosen.column.value[t].real(), double(std::min<long>(3, lead / apart)))
+          << "the newest run that had begun, " << apart.count() << " h apart, value " << t;
+      EXPECT_EQ(chosen.origin[t]->status == DataStatus::analysis,
+                lead % apart == Duration(0) && lead <= 3 * apart);
+    }
+  }
+}
+
+TEST(Choose, AnAnalysisOfTheStepOfItsForecastsKeepsItsGap) {
+  std::deque<Origin> origins;
+  VectorRecord record;
+  origins.push_back(analysis_of("model", 1));
+  auto times = instants(midnight, midnight + hours(12));
+  times.erase(times.begin() + 6);
+  record.pieces.push_back(vector_piece(origins.back(), times, {}, steady({1, 0})));
+  origins.push_back(forecast_of("model", midnight, 2));
+  record.pieces.push_back(
+      vector_piece(origins.back(), instants(midnight, midnight + hours(12)), {}, steady({2, 0})));
+  EXPECT_EQ(choose(record, {}, {}).column.time, times);
+}
+
 TEST(Choose, TheShorterLeadBeatsTheLonger) {
   EXPECT_EQ(winner(forecast_of("model", midnight - hours(12), 1),
                    forecast_of("model", midnight - hours(24), 9)),

@@ -63,7 +63,9 @@ export async function fetch_compared(
   );
   const of_products = there.map(async (product, i): Promise<Model> => {
     const level_m = level_of(product, depth_m);
-    const names = [size, way, ...BESIDE[kind], PERIOD].filter((name) => product.parameters.includes(name));
+    const names = [size, way, ...BESIDE[kind], PERIOD].filter((name) =>
+      product.parameters.includes(name),
+    );
     const came = await fetch_product(server, product, query(level_m, names));
     return {
       letter: letter_of(i),
