@@ -56,8 +56,8 @@ ForecastRow decided_forecast(const std::vector<ForecastRow>& of_site, UtcTime st
                         [](const auto* a, const auto* b) { return a->issued < b->issued; });
   throw Error(ErrorKind::not_found,
               none + "the first was issued later (" + named(*first) +
-                  "); correct --start or --at, or name the store that holds the forecast of that "
-                  "morning (--store)");
+                  "); correct the start, or the time of the decision, or use the store that holds "
+                  "the forecast of that morning");
 }
 
 }  // namespace slackwater::api
