@@ -17,11 +17,13 @@ enum class ProductKind { currents, wind, waves };
 /// direction.
 [[nodiscard]] const std::vector<std::string>& quantities_of(ProductKind kind);
 
-/// One dataset that product files were ingested of, as far as it is about one kind. Gridded
-/// products alone: what instruments measured at a place is no product.
+/// One dataset that product files on the same levels were ingested of, as far as it is about one
+/// kind. Gridded products alone: what instruments measured at a place is no product.
 struct StoredProduct {
   /// "product-currents-cmems_mod_glo_phy-cur_anfc_0.083deg_PT6H-i": by its dataset, else its
-  /// product; fit for a path. Where that names two, later ones have "-2", "-3", …
+  /// product; fit for a path. Where that names several (cuts at other depths), and always of files
+  /// that name neither, it has "-3fa29c" behind it, by what tells it from others: no name passes
+  /// from one sea to another.
   std::string id;
   ProductKind kind = ProductKind::currents;
   std::string product_id;
@@ -42,6 +44,7 @@ struct StoredProduct {
 };
 
 /// The products among a store's granules, by id.
-[[nodiscard]] std::vector<StoredProduct> stored_products(std::vector<store::GranuleRow> granules);
+[[nodiscard]] std::vector<StoredProduct> stored_products(
+    const std::vector<store::GranuleRow>& granules);
 
 }  // namespace slackwater::api

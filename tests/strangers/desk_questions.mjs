@@ -8,7 +8,7 @@ import { join, resolve } from "node:path";
 const [modules, program, store] = process.argv.slice(2);
 const require = createRequire(join(resolve(modules), "/"));
 const puppeteer = require("puppeteer-core");
-const LIMIT_MS = 60_000; // generous: sanitizers, two cores
+const LIMIT_MS = 120_000; // generous: sanitizers, two cores
 const MOST_CLICKS = 3;
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 const json = async (address) => (await fetch(address)).json();
