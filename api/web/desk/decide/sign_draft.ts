@@ -2,6 +2,7 @@
 import type { Decision } from './answers';
 
 export interface Wish {
+  key: string; // of its field
   task: string;
   name: string;
   turbine: string | null;

@@ -77,27 +77,33 @@ export class SignOff {
   /** @param report  what is looked at; null: nothing is known, and nothing can be decided */
   show(site: string, report: Report | null): void {
     const is_other = site !== this.site;
-    const is_new = report?.forecast.sha256 !== this.report?.forecast.sha256;
-    const is_written = !is_other && !is_new && this.node.contains(document.activeElement);
     if (is_other) {
-      this.hand_over.value = '';
-      this.says.replaceChildren();
-    }
-    if (is_other || is_new) {
-      const is_lost = !is_other && [...this.rows.values()].some(({ decided }) => decided !== '');
       this.rows.clear();
+      this.hand_over.value = '';
       this.asks.replaceChildren();
-      this.form.hidden = false;
-      if (is_lost) this.say('A new forecast came. Look at it, then decide anew.', 'refused');
+      this.says.replaceChildren();
+      this.report = null;
     }
     this.site = site;
-    this.report = report;
-    if (is_written) return; // nobody's words are taken from under the hands
     if (report === null) {
+      // What was written stays for when the report is back.
       this.form.hidden = true;
       this.say('Without the report nothing can be signed here.', 'note');
       return;
     }
+    const before = this.report?.forecast.sha256;
+    const is_new = before !== undefined && report.forecast.sha256 !== before;
+    const is_shown = !this.form.hidden || this.asks.childElementCount > 0;
+    if (!is_shown) this.says.replaceChildren();
+    if (is_new) {
+      const is_lost = [...this.rows.values()].some(({ decided }) => decided !== '');
+      this.rows.clear();
+      this.asks.replaceChildren();
+      if (is_lost) this.say('A new forecast came. Look at it, then decide anew.', 'refused');
+    }
+    this.report = report;
+    const is_written = !is_other && !is_new && this.node.contains(document.activeElement);
+    if (is_written && is_shown) return; // nobody's words are taken from under the hands
     this.form.hidden = this.asks.childElementCount > 0;
     const { today, day } = report;
     if (today === null) this.day = 'next';
@@ -146,8 +152,11 @@ export class SignOff {
     }
   }
 
+  private key(task: WindowsTask): string {
+    return [this.day, task.task, ...task.turbines].join(' ');
+  }
   private kept(task: WindowsTask): Row {
-    const key = [this.day, task.task, ...task.turbines].join(' ');
+    const key = this.key(task);
     const best = task.starts[best_start(task)] ?? task.starts[0];
     const made = this.rows.get(key) ?? { start: best?.start ?? '', decided: '', why: '' };
     if (!task.starts.some(({ start }) => start === made.start)) made.start = best?.start ?? '';
@@ -213,7 +222,8 @@ export class SignOff {
       const turbine = task.turbines[0] ?? null;
       const at = task.starts.find((it) => it.start === start);
       const said = at === undefined ? '' : said_of(at);
-      return [{ task: task.task, name: name_of(task), turbine, start, decided, why, said }];
+      const name = name_of(task);
+      return [{ key: this.key(task), task: task.task, name, turbine, start, decided, why, said }];
     });
   }
 
@@ -302,6 +312,7 @@ export class SignOff {
       }
       try {
         const { id, decided, said } = await file(this.desk.server, site, body);
+        this.rows.delete(wishes[i]?.key ?? '');
         const verdict = said.verdict === null ? 'nothing' : VERDICT[said.verdict];
         const chance = said.probability === null ? '' : `, ${chance_text(said.probability)}`;
         lines.push(
@@ -324,8 +335,10 @@ export class SignOff {
     if (site !== this.site) return;
     this.asks.replaceChildren();
     this.says.replaceChildren(...lines);
-    if (lines.every((line) => line.className === 'done')) this.hand_over.value = '';
-    this.rows.clear();
+    if (lines.every((line) => line.className === 'done')) {
+      this.hand_over.value = '';
+      this.who.value = ''; // the next who signs may be another
+    }
     this.form.hidden = false;
     this.says.focus();
     this.filed();

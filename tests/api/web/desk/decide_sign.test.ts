@@ -22,6 +22,7 @@ const decision = (some: Partial<Decision> = {}): Decision => ({
   ...some,
 });
 const wish: Wish = {
+  key: 'today scour A01',
   task: 'scour',
   name: 'Scour survey at A01',
   turbine: 'A01',
@@ -162,6 +163,12 @@ test('WhatIsReadIsWhatIsSigned', async () => {
   expect(says).toContain('Not recorded: Blade scan');
   expect(says).toContain('found decision 9 on this start meanwhile');
   expect(says).not.toContain('number 9');
+  // What was refused can be signed again without being written again.
+  const chosen = (task: number): string | undefined =>
+    [...(sign.querySelectorAll('fieldset')[task]?.querySelectorAll('input') ?? [])].find((it) =>
+      it.hasAttribute('checked'),
+    )?.value;
+  expect([chosen(0), chosen(1)]).toEqual(['', 'no_go']);
   // The log is asked for anew, whatever is kept.
   await answer('/sites/a/decisions', { decisions: [decision({ id: 8 })], record: { text: null } });
   expect(document.querySelector('.decisions-section')?.textContent).toContain('B. Other');
@@ -204,4 +211,23 @@ test('ALostAnswerIsNoRecordAndNoRefusal', async () => {
   const says = sign.querySelector('.sign-says')?.textContent ?? '';
   expect(says).toContain('Look into the log below before you sign it again.');
   expect(says).toContain('Blade scan, start Fri 14 Mar 06:00: not sent.');
+});
+
+test('WhatWasWrittenOutlivesAReportThatDoesNotCome', async () => {
+  const { sign, desk, answer } = await page();
+  choose(sign, 0, 'go');
+  write(who(sign), 'A. Name');
+  desk.server.forget();
+  desk.view.set({ clock: 'site' });
+  desk.view.tell(new Set(['forecast']));
+  await answer('/sites/a/report', { title: 'x', detail: 'the disk is full' }, 500);
+  await turn();
+  expect(sign.textContent).toContain('Without the report nothing can be signed here.');
+  expect((sign.querySelector('.sign-form') as HTMLElement).hidden).toBe(true);
+  desk.view.tell(new Set(['forecast']));
+  await answer('/sites/a/report', report({ no_plan: 'none' }));
+  await turn();
+  expect((sign.querySelector('.sign-form') as HTMLElement).hidden).toBe(false);
+  expect(sign.textContent).not.toContain('Without the report');
+  expect(sign.querySelector('input[value="go"]')?.hasAttribute('checked')).toBe(true);
 });
