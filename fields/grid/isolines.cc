@@ -42,7 +42,7 @@ class Marched {
   /// The lines of a cell, each from the edge it comes in by to the one it goes out by, with what is
   /// higher to its left.
   void cross(std::size_t i, std::size_t j) {
-    // Corners and edges counterclockwise from the lower left; edge k goes from corner k to the next.
+    // Counterclockwise from the lower left; edge k goes from corner k to the next.
     const std::array<double, 4> corner{value(i, j), value(i + 1, j), value(i + 1, j + 1),
                                        value(i, j + 1)};
     if (std::any_of(corner.begin(), corner.end(), [](double v) { return !std::isfinite(v); }))

@@ -131,7 +131,7 @@ DecisionMade decision_made(const DecideQuestion& question,
                                           "forecast` first, or ask the store that "
                                           "has one");
   const store::ForecastRow forecast =
-      decided_forecast(forecasts, question.start, question.recorded_at);
+      decided_forecast(forecasts, question.start, question.recorded_at, names);
   row.site_id = site.id;
   row.task = lasting_name(question.task);
   row.turbine = question.turbine;

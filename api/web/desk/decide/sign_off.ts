@@ -287,8 +287,8 @@ export class SignOff {
       element(
         'p',
         {},
-        `On the forecast issued ${desk.look.time(Date.parse(issued))}. A record is kept for good. ` +
-          'To change a decision, sign again.',
+        `On the forecast issued ${desk.look.time(Date.parse(issued))}. ` +
+          'A record is kept for good. To change a decision, sign again.',
       ),
       element('p', { class: 'sign-buttons' }, sign, ' ', back),
     );

@@ -1,4 +1,4 @@
-// Depth contours around a site: of a bed that is a plane, straight lines where the formula has them.
+// Depth contours around a site: of a plane straight lines, where the formula has them.
 #include <gtest/gtest.h>
 
 #include "tests/api/door/desk/desk_served.h"
