@@ -285,27 +285,6 @@ std::vector<VectorPiece> vector_pieces(const FindGranules& find, const std::stri
   return pieces;
 }
 
-/// Pieces per name, each granule opened once for all of them.
-std::vector<std::vector<ScalarPiece>> scalar_pieces(const FindGranules& find,
-                                                    const std::vector<std::string>& wanted,
-                                                    const CutOut& window) {
-  std::vector<std::vector<ScalarPiece>> pieces(wanted.size());
-  for (const GranuleEntry& entry : find(wanted, window)) {
-    std::optional<OpenGranule> granule;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (!names(entry, wanted[i])) continue;
-      with_context(reading(wanted[i], entry), [&] {
-        if (!granule) granule.emplace(entry);
-        if (auto loaded = granule->read(wanted[i], window)) {
-          Origin origin = origin_of(*loaded);
-          pieces[i].push_back({std::move(origin), std::move(loaded->field)});
-        }
-      });
-    }
-  }
-  return pieces;
-}
-
 /// Whether a dataset of `wanted` is none of those found.
 bool lacks_any_of(const std::vector<ScalarPiece>& found, const std::vector<ScalarPiece>& wanted) {
   return std::any_of(wanted.begin(), wanted.end(), [&](const ScalarPiece& one) {
@@ -345,6 +324,26 @@ std::size_t cells_read(const Grid& grid, const CutOut& window) {
          columns_around(grid, window.box).count;
 }
 
+std::vector<std::vector<ScalarPiece>> scalar_pieces_of(const CutOut& window,
+                                                       const std::vector<std::string>& wanted,
+                                                       const FindGranules& find) {
+  std::vector<std::vector<ScalarPiece>> pieces(wanted.size());
+  for (const GranuleEntry& entry : find(wanted, window)) {
+    std::optional<OpenGranule> granule;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (!names(entry, wanted[i])) continue;
+      with_context(reading(wanted[i], entry), [&] {
+        if (!granule) granule.emplace(entry);
+        if (auto loaded = granule->read(wanted[i], window)) {
+          Origin origin = origin_of(*loaded);
+          pieces[i].push_back({std::move(origin), std::move(loaded->field)});
+        }
+      });
+    }
+  }
+  return pieces;
+}
+
 SitePieces pieces_of(const Site& site, UtcTime from, UtcTime to, const FindGranules& find) {
   return pieces_of(CutOut{from, to, site.box(margin_deg), site.box(0)}, find);
 }
@@ -356,34 +355,34 @@ SitePieces pieces_of(const CutOut& window, const FindGranules& find) {
   join_moorings(pieces.current);
   pieces.wind = vector_pieces(find, "eastward_wind", "northward_wind", window);
   const auto scalar = [&](const char* name) {
-    return std::move(scalar_pieces(find, {name}, window).front());
+    return std::move(scalar_pieces_of(window, {name}, find).front());
   };
   pieces.mixed_layer_depth = scalar("ocean_mixed_layer_thickness_defined_by_sigma_theta");
   if (pieces.mixed_layer_depth.empty())
     pieces.temperature = scalar("sea_water_potential_temperature");
-  auto waves = scalar_pieces(find,
-                             {"sea_surface_wave_significant_height",
-                              "sea_surface_wave_period_at_variance_spectral_density_maximum",
-                              "sea_surface_wave_from_direction"},
-                             window);
+  auto waves = scalar_pieces_of(window,
+                                {"sea_surface_wave_significant_height",
+                                 "sea_surface_wave_period_at_variance_spectral_density_maximum",
+                                 "sea_surface_wave_from_direction"},
+                                find);
   pieces.significant_height = std::move(waves[0]);
   pieces.peak_period = std::move(waves[1]);
   pieces.wave_direction = std::move(waves[2]);
   if (lacks_any_of(pieces.peak_period, pieces.significant_height)) {
-    auto means = scalar_pieces(
-        find,
+    auto means = scalar_pieces_of(
+        window,
         {"sea_surface_wave_mean_period_from_variance_spectral_density_inverse_frequency_moment",
          "sea_surface_wave_mean_period_from_variance_spectral_density_second_frequency_moment",
          "sea_surface_wave_zero_upcrossing_period"},
-        window);
+        find);
     pieces.energy_period = std::move(means[0]);
     pieces.zero_crossing_period = std::move(means[1]);
     std::move(means[2].begin(), means[2].end(), std::back_inserter(pieces.zero_crossing_period));
   }
   pieces.sea_level = scalar("sea_surface_height_above_geoid");
   pieces.water_depth =
-      std::move(scalar_pieces(find, {"sea_floor_depth_below_geoid"},
-                              {std::nullopt, std::nullopt, window.box, window.site})[0]);
+      std::move(scalar_pieces_of({std::nullopt, std::nullopt, window.box, window.site},
+                                 {"sea_floor_depth_below_geoid"}, find)[0]);
   return pieces;
 }
 

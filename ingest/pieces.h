@@ -64,6 +64,11 @@ using FindGranules = std::function<std::vector<GranuleEntry>(
 /// The same of a window that is no site's.
 [[nodiscard]] SitePieces pieces_of(const CutOut& window, const FindGranules& find);
 
+/// Pieces of scalar quantities, by their CF names, whatever these are: as many lists as names. Each
+/// granule is opened once for all of them.
+[[nodiscard]] std::vector<std::vector<ScalarPiece>> scalar_pieces_of(
+    const CutOut& window, const std::vector<std::string>& standard_names, const FindGranules& find);
+
 /// What is read for places in a box: its cells and those around it.
 /// @param box  its longitudes in any turn; west > east across the antimeridian
 [[nodiscard]] CutOut cut_around(const BoundingBox& box, UtcTime from, UtcTime to);

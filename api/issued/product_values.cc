@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <optional>
 
 #include "data/store/layout.h"
@@ -187,29 +186,34 @@ Choice grids_alone() {
   return choice;
 }
 
-void put_vector(const std::vector<VectorPiece>& pieces, const GeoPoint& point,
-                const Stretched& wanted, Sheet& sheet) {
-  const VectorRecord record = record_at(pieces, point);
-  put_series(choose(record, Knowledge{}, grids_alone()), record.on_land, 0, 2, true, wanted, sheet);
-}
+/// What of a product is read around a place: of a vector both components, then scalars.
+struct Read {
+  const std::vector<VectorPiece>* vector = nullptr;  ///< null: it has none
+  std::vector<std::vector<ScalarPiece>> scalars;
+};
 
-/// Height, period and direction of one run, as far as the product has them.
-void put_waves(const SitePieces& pieces, const std::vector<std::string>& held,
-               const GeoPoint& point, const Stretched& wanted, Sheet& sheet) {
-  const std::map<std::string, const std::vector<ScalarPiece>*> by_name{
-      {quantities_of(ProductKind::waves)[0], &pieces.significant_height},
-      {quantities_of(ProductKind::waves)[1], &pieces.peak_period},
-      {quantities_of(ProductKind::waves)[2], &pieces.wave_direction}};
-  std::vector<ScalarRecord> records;  // outlive what was chosen from them
+/// The first that there is decides which run speaks when, for all.
+void put_place(const Read& read, const GeoPoint& point, const Stretched& wanted, Sheet& sheet) {
+  VectorRecord vector;  // records outlive what was chosen from them
+  std::vector<ScalarRecord> records;
   std::vector<Stretch> leading;
-  records.reserve(held.size());
-  for (std::size_t q = 0; q < held.size(); ++q) {
-    records.push_back(record_at(*by_name.at(held[q]), point));
+  std::size_t q = 0;
+  if (read.vector != nullptr) {
+    vector = record_at(*read.vector, point);
+    const auto chosen = choose(vector, Knowledge{}, grids_alone());
+    put_series(chosen, vector.on_land, q, vector_components, true, wanted, sheet);
+    leading = chosen.stretches;
+    q = vector_components;
+  }
+  records.reserve(read.scalars.size());
+  for (const std::vector<ScalarPiece>& pieces : read.scalars) {
+    records.push_back(record_at(pieces, point));
     Choice choice = grids_alone();
-    if (q > 0 && !leading.empty()) choice.like = &leading;
+    if (!leading.empty()) choice.like = &leading;
     const Chosen<double> chosen = choose(records.back(), Knowledge{}, choice);
     put_series(chosen, records.back().on_land, q, 1, q == 0, wanted, sheet);
     if (q == 0) leading = chosen.stretches;
+    ++q;
   }
 }
 
@@ -295,7 +299,7 @@ ProductValues ProductView::values(std::span<const GeoPoint> places, std::span<co
                                       ", of all its runs; expected at most " +
                                       std::to_string(most_read_) + ": narrow the area");
   }
-  const auto& names = quantities_of(product_.kind);
+  const auto& names = product_.standard_names;
   Sheet sheet(out, times, levels, places.size());
   for (std::size_t first = 0, count = 0; first < times.size(); first += count) {
     std::size_t held = 0;
@@ -320,10 +324,22 @@ ProductValues ProductView::values(std::span<const GeoPoint> places, std::span<co
       }
       return found;
     };
+    const bool is_vector = product_.kind != ProductKind::waves;
+    const std::size_t first_scalar = is_vector ? vector_components : 0;
+    // What is given beside a vector (gusts, at 10 m) has one level.
+    const bool has_scalars = !is_vector || levels == 1;
     SitePieces pieces;
+    Read read;
     try {
-      pieces =
-          ingest::pieces_of(ingest::cut_around(box_of(window_), part.front(), part.back()), find);
+      const ingest::CutOut cut = ingest::cut_around(box_of(window_), part.front(), part.back());
+      if (is_vector) {
+        pieces = ingest::pieces_of(cut, find);
+        read.vector = product_.kind == ProductKind::currents ? &pieces.current : &pieces.wind;
+      }
+      if (has_scalars) {
+        read.scalars = ingest::scalar_pieces_of(
+            cut, {names.begin() + static_cast<std::ptrdiff_t>(first_scalar), names.end()}, find);
+      }
     } catch (const Error& error) {
       log_event(LogLevel::error, "stored product cannot be read",
                 {{"product", product_.product_id}, {"problem", error.message()}});
@@ -333,12 +349,7 @@ ProductValues ProductView::values(std::span<const GeoPoint> places, std::span<co
     }
     for (std::size_t p = 0; p < places.size(); ++p) {
       const Stretched wanted{part, is_one_each ? levels_m.subspan(p, 1) : levels_m, p};
-      if (product_.kind == ProductKind::waves) {
-        put_waves(pieces, product_.standard_names, places[p], wanted, sheet);
-      } else {
-        put_vector(product_.kind == ProductKind::currents ? pieces.current : pieces.wind, places[p],
-                   wanted, sheet);
-      }
+      put_place(read, places[p], wanted, sheet);
     }
   }
   return out;

@@ -90,7 +90,7 @@ void add(StoredProduct& product, const store::GranuleRow& row) {
   product.granules.push_back(row);
 }
 
-/// Its names in the order of the kind; of a vector both, or it is none.
+/// Its names in the order of the kind; of a vector both components, or it is none.
 bool settle_names(StoredProduct& product) {
   for (const std::string& name : quantities_of(product.kind)) {
     const bool is_held =
@@ -98,8 +98,11 @@ bool settle_names(StoredProduct& product) {
                     [&](const store::GranuleRow& row) { return holds(row, name); });
     if (is_held) product.standard_names.push_back(name);
   }
-  const bool is_vector = product.kind != ProductKind::waves;
-  return !is_vector || product.standard_names.size() == quantities_of(product.kind).size();
+  if (product.kind == ProductKind::waves) return true;
+  const auto& all = quantities_of(product.kind);
+  const auto& held = product.standard_names;
+  return held.size() >= vector_components &&
+         std::equal(all.begin(), all.begin() + vector_components, held.begin());
 }
 
 std::string plain_id(const StoredProduct& product) {
@@ -117,10 +120,17 @@ std::string_view name_of(ProductKind kind) noexcept {
 const std::vector<std::string>& quantities_of(ProductKind kind) {
   static const std::array<std::vector<std::string>, 3> names{
       {{"eastward_sea_water_velocity", "northward_sea_water_velocity"},
-       {"eastward_wind", "northward_wind"},
+       {"eastward_wind", "northward_wind", "wind_speed_of_gust"},
        {"sea_surface_wave_significant_height",
         "sea_surface_wave_period_at_variance_spectral_density_maximum",
-        "sea_surface_wave_from_direction"}}};
+        "sea_surface_wave_from_direction", "sea_surface_wind_wave_significant_height",
+        "sea_surface_wind_wave_mean_period", "sea_surface_wind_wave_from_direction",
+        "sea_surface_primary_swell_wave_significant_height",
+        "sea_surface_primary_swell_wave_mean_period",
+        "sea_surface_primary_swell_wave_from_direction",
+        "sea_surface_secondary_swell_wave_significant_height",
+        "sea_surface_secondary_swell_wave_mean_period",
+        "sea_surface_secondary_swell_wave_from_direction"}}};
   return names[static_cast<std::size_t>(kind)];
 }
 

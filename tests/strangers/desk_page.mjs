@@ -130,7 +130,8 @@ try {
   // A place that no forecast reaches: once, in the server's words, with what to do.
   await page.evaluate((to) => (location.hash = to), "#panel=place&place=10,10");
   await until(page, () => document.querySelector(".place-part [role=status]").textContent.includes("Choose a place nearer"));
-  assert.equal(await page.$(".place-part section:not([hidden])"), null);
+  assert.equal(await page.$(".place-part section:not([hidden], .models)"), null);
+  await until(page, () => document.querySelector(".models").textContent.includes("No product is stored that reaches this place"));
 
   // The server goes and comes back; the page says so, and goes on by itself.
   await gone();

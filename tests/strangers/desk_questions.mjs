@@ -150,6 +150,17 @@ try {
       const { sea_surface_wave_significant_height: height, sea_surface_wave_from_direction: from } = await edr("waves", { datetime: hour });
       await shows((said) => document.querySelector(".facts")?.innerText.includes(said), `${height.toFixed(1)} m from ${degrees(from)}`);
     },
+    "What does the wave product say, and we?": async () => {
+      await tab("Water at the place");
+      const { collections } = await json(`${address}/collections`);
+      const { id: product } = collections.find(({ keywords }) => keywords.includes("product") && keywords.includes("waves"));
+      const said = async (collection) => {
+        const { sea_surface_wave_significant_height: height, sea_surface_wave_from_direction: from } = await edr(collection, { datetime: hour });
+        return `${height.toFixed(1)} m from ${degrees(from)}`;
+      };
+      const row = [await said(product), await said("waves")];
+      await shows((cells) => [...document.querySelectorAll(".models tbody tr")].some((it) => cells.every((cell, i) => it.cells[i + 1].innerText === cell)), row);
+    },
     "What if the scan bore more wind?": async () => {
       await tab("What if");
       await page.waitForSelector(".limit-list input");

@@ -47,6 +47,8 @@ TEST(StoredProducts, TwoComponentsInTwoFilesAreOneAndOneAloneIsNone) {
   const auto north = row_of("PHY", "", {currents()[1]});
   EXPECT_EQ(ids_of({east, north}), std::vector<std::string>{"product-currents-PHY"});
   EXPECT_TRUE(ids_of({east}).empty());
+  const auto gusts = row_of("AIR", "", {"eastward_wind", "wind_speed_of_gust"});
+  EXPECT_TRUE(ids_of({gusts}).empty()) << "a gust is no second component";
 }
 
 TEST(StoredProducts, StrangersAtDifferentPlacesAreTwoAndKeepTheirNames) {

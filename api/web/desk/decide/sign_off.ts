@@ -2,6 +2,7 @@
 import type { Desk } from '../look/desk';
 import { button, choice, element, labelled, set_hidden, set_text } from '../../look/element';
 import { Refused, type Server } from '../server/server';
+import { or_token_form } from '../server/token_form';
 import type { Decision, Decisions, Report, Start, Windows, WindowsTask } from './answers';
 import { day_name } from './clock';
 import { refusal_text } from './section';
@@ -19,7 +20,7 @@ interface Row {
 
 const DECIDED = { go: 'Go', no_go: 'No-go' };
 
-/** The one call that writes: here it is to be exchanged. */
+/** The one call that writes. */
 function file(server: Server, site: string, body: Signed): Promise<Decision> {
   return server.post<Decision>(`/sites/${encodeURIComponent(site)}/decisions`, body);
 }
@@ -274,11 +275,6 @@ export class SignOff {
       return line;
     });
     const sign = button(`Sign as ${this.who.value.trim()}`, () => void this.sign(wishes, bodies));
-    const back = button('Back', () => {
-      this.asks.replaceChildren();
-      this.form.hidden = false;
-      this.who.focus();
-    });
     this.says.replaceChildren();
     this.form.hidden = true;
     this.asks.replaceChildren(
@@ -290,19 +286,27 @@ export class SignOff {
         `On the forecast issued ${desk.look.time(Date.parse(issued))}. ` +
           'A record is kept for good. To change a decision, sign again.',
       ),
-      element('p', { class: 'sign-buttons' }, sign, ' ', back),
+      element('p', { class: 'sign-buttons' }, sign, ' ', this.back()),
     );
     this.asks.focus(); // not the button: nobody signs by pressing Enter twice
+  }
+
+  private back(): HTMLElement {
+    return button('Back', () => {
+      this.asks.replaceChildren();
+      this.form.hidden = false;
+      this.who.focus();
+    });
   }
 
   private of({ name, start }: Wish): string {
     return `${name}, start ${this.desk.look.time(Date.parse(start))}`;
   }
 
-  private async sign(wishes: Wish[], bodies: Signed[]): Promise<void> {
+  /** @param lines  what was said of those that were signed before */
+  private async sign(wishes: Wish[], bodies: Signed[], lines: HTMLElement[] = []): Promise<void> {
     const { site } = this;
     this.asks.replaceChildren(element('p', { class: 'waiting' }, 'Signing …'));
-    const lines: HTMLElement[] = [];
     let is_gone = false;
     for (const [i, body] of bodies.entries()) {
       const of = this.of(wishes[i] as Wish);
@@ -325,6 +329,14 @@ export class SignOff {
         );
       } catch (problem) {
         if (!(problem instanceof Refused)) throw problem;
+        if (problem.status === 401 && site === this.site) {
+          // From afar: the same once more, from here on, with the token.
+          const again = (): void => void this.sign(wishes.slice(i), bodies.slice(i), lines);
+          const form = or_token_form(this.desk.server, again)(problem);
+          this.asks.replaceChildren(form, element('p', {}, this.back()));
+          this.says.replaceChildren(...lines);
+          return;
+        }
         is_gone = problem.status === 0;
         const after = is_gone ? ' Look into the log below before you sign it again.' : '';
         lines.push(

@@ -158,6 +158,54 @@ TEST(EdrProducts, WindAndWavesAreTheFilesOwnToo) {
               WaterForTests::significant_height_m(cell), 1e-3);  // packed
 }
 
+// Two runs: what stands beside the wave height is of the run that gives it.
+TEST(EdrProducts, WindSeaAndSwellApartAreOfTheRunThatGivesTheHeight) {
+  ProductServiceForTests service;
+  const auto run_with = [](UtcTime run, double swell_m, double from_deg) {
+    ProductForTests product = wave_product(day);
+    product.reference_time = run;
+    product.quantities.push_back({"VHM0_SW1", "sea_surface_primary_swell_wave_significant_height",
+                                  "m", false, [=](const ProductCell&) { return swell_m; }});
+    product.quantities.push_back({"VMDR_WW", "sea_surface_wind_wave_from_direction", "degree",
+                                  false, [=](const ProductCell&) { return from_deg; }});
+    return product;
+  };
+  service.with(run_with(midnight - std::chrono::hours(12), 0.5, 350))
+      .with(run_with(midnight, 0.75, 10));
+  const json answer =
+      service.document(waves_of(service) + "/position",
+                       {{"coords", "POINT(6.5 54)"}, {"datetime", "2025-03-10T06:00:00Z"}});
+  const char* swell = "sea_surface_primary_swell_wave_significant_height";
+  EXPECT_NEAR(values_of(answer, swell).front(), 0.75, rounding);
+  EXPECT_NEAR(values_of(answer, "sea_surface_wind_wave_from_direction").front(), 10, 1e-3);
+  EXPECT_EQ(values_of(answer, "forecast_period").front(), 6);
+  EXPECT_EQ(answer.at("parameters").at(swell).at("unit").at("symbol").at("value"), "m");
+  EXPECT_FALSE(answer.at("parameters").contains("sea_surface_wind_wave_mean_period"))
+      << "the product has none";
+  const json alone = service.document(
+      waves_of(service) + "/position",
+      {{"coords", "POINT(6.5 54)"}, {"parameter-name", swell}, {"datetime", "2025-03-10"}});
+  EXPECT_EQ(alone.at("ranges").size(), 1U);
+}
+
+TEST(EdrProducts, GustsStandBesideTheWindAndNotInItsPlace) {
+  ProductServiceForTests service;
+  ProductForTests product = wind_product(day);
+  product.quantities.push_back(
+      {"gust", "wind_speed_of_gust", "m s-1", false, [](const ProductCell&) { return 17.5; }});
+  service.with(product);
+  const QueryPairs query{{"coords", "POINT(6.5 54)"}, {"datetime", "2025-03-10T06:00:00Z"}};
+  const json answer = service.document(std::string(wind) + "/position", query);
+  EXPECT_NEAR(values_of(answer, "wind_speed_of_gust").front(), 17.5, rounding_of_tens);
+  const ProductCell cell{midnight + std::chrono::hours(6), 0, 54, 6.5};
+  EXPECT_NEAR(values_of(answer, "eastward_wind").front(), WaterForTests::eastward_wind_m_s(cell),
+              rounding_of_tens);
+  EXPECT_FALSE(all_kinds()
+                   .document(std::string(wind) + "/position", query)
+                   .at("parameters")
+                   .contains("wind_speed_of_gust"));
+}
+
 TEST(EdrProducts, APlaceBetweenCellsAndLevelsIsInterpolatedAndOneTimeIsNot) {
   const json answer = all_kinds().document(
       std::string(currents) + "/position",

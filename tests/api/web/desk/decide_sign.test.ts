@@ -231,3 +231,27 @@ test('WhatWasWrittenOutlivesAReportThatDoesNotCome', async () => {
   expect(sign.textContent).not.toContain('Without the report');
   expect(sign.querySelector('input[value="go"]')?.hasAttribute('checked')).toBe(true);
 });
+
+test('FromAfarTheTokenIsAskedForAndWhatWasReadIsSigned', async () => {
+  const { sign, waiting } = await page();
+  choose(sign, 0, 'go');
+  choose(sign, 1, 'no_go');
+  write(who(sign), 'A. Name');
+  await press(sign, 'Check');
+  await press(sign, 'Sign as');
+  await waiting[0]?.answer(decision({ id: 8, decided: 'go' }), 201);
+  const scan = waiting[0]?.sent ?? '';
+  await waiting[0]?.answer({ title: 'x', detail: 'no token' }, 401);
+  await turn();
+  expect(sign.querySelector('.sign-says')?.textContent).toContain('Recorded as number 8');
+  const field = sign.querySelector('.token input') as HTMLInputElement;
+  field.value = 'a-token-of-sixteen';
+  await press(sign, 'Use this token');
+  expect(waiting[0]?.sent).toBe(scan);
+  await waiting[0]?.answer(decision({ id: 9, task: 'scan' }), 201);
+  await turn();
+  const says = sign.querySelector('.sign-says')?.textContent ?? '';
+  expect(says).toContain('Recorded as number 8');
+  expect(says).toContain('Recorded as number 9');
+  expect(sign.querySelector('.token')).toBe(null);
+});
