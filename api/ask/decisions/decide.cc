@@ -16,15 +16,18 @@
 namespace slackwater::api {
 namespace {
 
-void expect_turbine(const Site& site, const std::string& turbine) {
+void expect_turbine(const Site& site, const DecideQuestion& question) {
+  const std::string& turbine = question.turbine;
   if (turbine.empty()) return;
   std::vector<std::string> known;
   for (const TurbinePlace& place : site.turbines) known.push_back(place.id);
   if (std::find(known.begin(), known.end(), turbine) != known.end()) return;
-  throw Error(ErrorKind::not_found, "--turbine: found " + turbine + ", which site " + site.id +
-                                        " has not" + did_you_mean(turbine, known) + "; " +
-                                        (known.empty() ? "it has no turbines: leave --turbine out"
-                                                       : "expected one of " + joined(known, ", ")));
+  throw Error(
+      ErrorKind::not_found,
+      question.before_names + "turbine: found " + turbine + ", which site " + site.id + " has not" +
+          did_you_mean(turbine, known) + "; " +
+          (known.empty() ? "it has no turbines: leave " + question.before_names + "turbine out"
+                         : "expected one of " + joined(known, ", ")));
 }
 
 /// The question that the morning report asks of the day of a start, its half hours moved so that
@@ -105,17 +108,19 @@ DecisionMade decision_made(const DecideQuestion& question,
                            const std::filesystem::path& store_folder) {
   DecisionMade made;
   store::DecisionRow& row = made.row;
-  row.by = line_of_text("--by", question.by, store::longest_name);
+  const std::string& names = question.before_names;
+  row.by = line_of_text(names + "by", question.by, store::longest_name);
   if (row.by.empty())
-    throw Error(ErrorKind::usage,
-                "--by: found no name, expected that of who decides; a record without one is none");
-  row.note = line_of_text("--note", question.note, store::longest_note);
+    throw Error(
+        ErrorKind::usage,
+        names + "by: found no name, expected that of who decides; a record without one is none");
+  row.note = line_of_text(names + "note", question.note, store::longest_note);
   if (question.start != std::chrono::floor<std::chrono::minutes>(question.start))
-    throw Error(ErrorKind::usage, "--start: found " + format_utc(question.start) +
+    throw Error(ErrorKind::usage, names + "start: found " + format_utc(question.start) +
                                       ", expected a whole minute; write 2025-03-10T07:30Z");
   const Site site = find_site(question.windows.site, site_folders(store_folder));
   (void)load_task(question.task, std::filesystem::current_path());
-  expect_turbine(site, question.turbine);
+  expect_turbine(site, question);
   store::Store store = store::Store::open(store_folder, store::OpenMode::read_only);
   store::ForecastQuery of_site;
   of_site.site_id = site.id;
@@ -123,9 +128,10 @@ DecisionMade decision_made(const DecideQuestion& question,
   if (forecasts.empty())
     throw Error(ErrorKind::not_found, "found no issued forecast for site " + site.id +
                                           ", and a decision rests on one; run `slackwater "
-                                          "forecast` first, or name another --store");
+                                          "forecast` first, or ask the store that "
+                                          "has one");
   const store::ForecastRow forecast =
-      decided_forecast(forecasts, question.start, question.recorded_at);
+      decided_forecast(forecasts, question.start, question.recorded_at, names);
   row.site_id = site.id;
   row.task = lasting_name(question.task);
   row.turbine = question.turbine;
@@ -140,6 +146,11 @@ DecisionMade decision_made(const DecideQuestion& question,
   made.is_late = row.recorded_at > row.start;
   made.before = counted_until_now(store, row);
   return made;
+}
+
+void file_decision(DecisionMade& made, const std::filesystem::path& store_folder) {
+  store::Store store = store::Store::open(store_folder, store::OpenMode::create_or_write);
+  made.row.id = store.record_decision(made.row);
 }
 
 }  // namespace slackwater::api

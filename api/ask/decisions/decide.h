@@ -18,13 +18,14 @@ struct DecideQuestion {
   std::string by;  ///< the name of who decided
   std::string note;
   UtcTime recorded_at;
-  bool by_clock = true;  ///< `recorded_at` was read, not stated
+  bool by_clock = true;      ///< `recorded_at` was read, not stated
+  std::string before_names;  ///< of a word, in errors: "--" of "--by"
 };
 
 /// A decision ready to be filed, and what there is to say beside it.
 struct DecisionMade {
-  store::DecisionRow row;
-  bool is_late = false;  ///< recorded after its start
+  store::DecisionRow row;  ///< its id is 0 until it is filed
+  bool is_late = false;    ///< recorded after its start
   /// The record of the same task, turbine and start that counted until now; it stays.
   std::optional<store::DecisionRow> before;
 };
@@ -37,6 +38,9 @@ struct DecisionMade {
 ///         there are not, and where no forecast had been issued that covers the start
 [[nodiscard]] DecisionMade decision_made(const DecideQuestion& question,
                                          const std::filesystem::path& store_folder);
+
+/// Files it, in the store for good; from then on its row has its id.
+void file_decision(DecisionMade& made, const std::filesystem::path& store_folder);
 
 /// The name of a task under which it is found again from anywhere: its id, or the whole path of its
 /// sheet.

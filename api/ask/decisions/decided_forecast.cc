@@ -26,7 +26,7 @@ std::string named(const ForecastRow& row) {
 }  // namespace
 
 ForecastRow decided_forecast(const std::vector<ForecastRow>& of_site, UtcTime start,
-                             UtcTime recorded_at) {
+                             UtcTime recorded_at, const std::string& before_names) {
   expects(!of_site.empty(), "there is a forecast to choose from");
   const std::string& site = of_site.front().site_id;
   std::vector<const ForecastRow*> issued, by_then, covering;
@@ -55,9 +55,9 @@ ForecastRow decided_forecast(const std::vector<ForecastRow>& of_site, UtcTime st
       *std::min_element(issued.begin(), issued.end(),
                         [](const auto* a, const auto* b) { return a->issued < b->issued; });
   throw Error(ErrorKind::not_found,
-              none + "the first was issued later (" + named(*first) +
-                  "); correct --start or --at, or name the store that holds the forecast of that "
-                  "morning (--store)");
+              none + "the first was issued later (" + named(*first) + "); correct " + before_names +
+                  "start or " + before_names +
+                  "at, or use the store that holds the forecast of that morning");
 }
 
 }  // namespace slackwater::api

@@ -34,15 +34,15 @@ void run_decide(const DecideArguments& arguments, const Context& context) {
   question.note = arguments.note;
   question.recorded_at = std::chrono::floor<std::chrono::seconds>(context.now());
   question.by_clock = context.at.empty();
-  const DecisionMade made = decision_made(question, context.store_folder);
-  store::Store store = context.open(store::OpenMode::create_or_write);
-  const std::int64_t id = store.record_decision(made.row);
+  question.before_names = "--";
+  DecisionMade made = decision_made(question, context.store_folder);
+  file_decision(made, context.store_folder);
   if (context.json)
-    std::printf("%s\n", recorded_json(made, id)
-                            .dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
-                            .c_str());
+    std::printf(
+        "%s\n",
+        recorded_json(made).dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   else
-    std::fputs(recorded_text(made, id).c_str(), stdout);
+    std::fputs(recorded_text(made).c_str(), stdout);
 }
 
 }  // namespace

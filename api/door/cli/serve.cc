@@ -134,7 +134,7 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   edr::Beside beside{desk::interface_document(), desk::front_page};
   desk::add_page_routes(router);
   desk::add_routes(router, {forecasts, freshness, context.store_folder, data_folder(),
-                            static_cast<std::size_t>(arguments.threads)});
+                            static_cast<std::size_t>(arguments.threads), arguments.at.empty()});
   if (people) {
     beside.interface.merge_patch(sessions::interface_document());
     sessions::add_routes(router, people);

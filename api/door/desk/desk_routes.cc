@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/door/desk/bed_answer.h"
+#include "api/door/desk/decision_record.h"
 #include "api/door/desk/history_answers.h"
 #include "api/door/desk/kept_answers.h"
 #include "api/door/desk/mission_jobs.h"
@@ -93,6 +95,7 @@ void add_routes(http::Router& router, const DeskSettings& settings) {
   from.store_folder = settings.store_folder;
   from.data_folder = settings.data_folder;
   from.now = settings.freshness.now;
+  from.by_clock = settings.by_clock;
   const auto add = [&](const std::string& what, auto answer) {
     router.add("GET", "/sites/{site}/" + what,
                [=](const Request& request, const PathParameters& path) -> Outcome {
@@ -111,6 +114,7 @@ void add_routes(http::Router& router, const DeskSettings& settings) {
   add("decisions", decisions_answer);
   add("workability", workability_answer);
   add("climate", climate_answer);
+  add("bed", bed_answer);
   router.add("GET", "/sites", [settings](const Request&) {
     return json_response(
         sites_json(*settings.forecasts, settings.freshness, settings.store_folder));
@@ -133,6 +137,15 @@ void add_routes(http::Router& router, const DeskSettings& settings) {
              [from](const Request& request, const PathParameters& path) -> Outcome {
                return LongWork{[from, site = path.at("site"), body = request.body] {
                  return not_kept(what_if(from, site, body));
+               }};
+             });
+  const auto record = std::make_shared<DecisionRecord>(from);
+  router.add("POST", "/sites/{site}/decisions",
+             [record, kept](const Request& request, const PathParameters& path) -> Outcome {
+               return LongWork{[record, kept, site = path.at("site"), body = request.body] {
+                 Response response = record->file(site, body);
+                 kept->forget();
+                 return response;
                }};
              });
   add_mission_routes(router,

@@ -96,6 +96,27 @@ json what_if() {
   return {{"post", std::move(post)}};
 }
 
+json decision_path() {
+  json path =
+      answer_of("get_decisions", "What was decided, and what came", "slackwater decisions --json",
+                {{"task", "Only of this one", "blade_scan"},
+                 {"from", "Only starts from this day on", "2025-03-01"}});
+  json responses = refusals({"404"});
+  responses["201"] = answer("It is filed for good; as `slackwater decisions --json` has it",
+                            reference("schemas", "Answer"));
+  responses["409"] = refused_for(
+      "Another forecast is in force than was looked at, or somebody decided meanwhile; nothing is "
+      "filed");
+  json post = guarded(operation("file_decision", "Sites",
+                                "Files who decided what about a start, as `slackwater decide`",
+                                of_site({}), std::move(responses)));
+  post["requestBody"] = {
+      {"required", true},
+      {"content", {{"application/json", {{"schema", reference("schemas", "Decision")}}}}}};
+  path["post"] = std::move(post);
+  return path;
+}
+
 json mission_paths() {
   const json job = reference("schemas", "MissionJob");
   json listed = refusals();
@@ -152,10 +173,7 @@ json paths() {
                  {{"day", "Day D; else the newest whole one", "2025-03-12"},
                   {"horizon", "Beyond the end of D", "72h"},
                   {"wind", "best, forecast or persist", "best"}})},
-      {at + "/decisions",
-       answer_of("get_decisions", "What was decided, and what came", "slackwater decisions --json",
-                 {{"task", "Only of this one", "blade_scan"},
-                  {"from", "Only starts from this day on", "2025-03-01"}})},
+      {at + "/decisions", decision_path()},
       {at + "/workability",
        answer_of("get_workability", "How often one can work there",
                  "slackwater workability --site SITE --json",
@@ -178,6 +196,8 @@ json paths() {
                   {"depth", "Of currents, m", "5"},
                   {"from", "First day", "2025-01-01"},
                   {"to", "Last day", "2025-03-12"}})},
+      {at + "/bed",
+       answer_of("get_bed", "Depth contours around a site, as GeoJSON", "the page draws it", {})},
       {at + "/slack", answer_of("get_slack", "When the current is slack at a place and a depth",
                                 "the forecast's page has it",
                                 {{"depth", "m; default 5", "20"},
@@ -196,6 +216,20 @@ json path_parameter(const char* name, const char* description, const char* examp
           {"schema", text()}, {"example", example}, {"description", description}};
 }
 
+json decision_schema() {
+  json out = object({{"task", text()},
+                     {"turbine", text()},
+                     {"start", text()},
+                     {"decided", {{"type", "string"}, {"enum", json::array({"go", "no_go"})}}},
+                     {"by", text()},
+                     {"note", text()},
+                     {"at", text()},
+                     {"forecast", text()},
+                     {"in_place_of", {{"type", "integer"}, {"nullable", true}}}});
+  out["required"] = json::array({"task", "start", "decided", "by"});
+  return out;
+}
+
 json schemas() {
   const json texts = object({{"site", text()},
                              {"tasks", {{"type", "object"}, {"additionalProperties", text()}}},
@@ -205,6 +239,7 @@ json schemas() {
           {"Skill", list_of({{"type", "object"}})},
           {"Texts", texts},
           {"WhatIf", object({{"texts", texts}, {"query", text()}})},
+          {"Decision", decision_schema()},
           {"WhatIfAnswer", object({{"windows", {{"type", "object"}}},
                                    {"plan", {{"type", "object"}, {"nullable", true}}},
                                    {"no_plan", {{"type", "string"}, {"nullable", true}}}})},
@@ -228,8 +263,9 @@ json interface_document() {
            {{"description",
              "Forecasts of current, wind and waves for offshore sites over OGC API-EDR 1.1; what "
              "the commands answer about a site, as the same JSON; and rehearsals of missions. "
-             "Nothing writes to the store. What costs cores (what-if, missions) is for this "
-             "machine, and for who shows the token of --token-file."}}},
+             "Nothing but a decision is written to the store. Decisions, and what costs cores "
+             "(what-if, missions), are for this machine, and for who shows the token of "
+             "--token-file."}}},
           {"paths", paths()},
           {"components",
            {{"parameters",

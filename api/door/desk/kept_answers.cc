@@ -55,6 +55,11 @@ void KeptAnswers::make_room() {
     }));
 }
 
+void KeptAnswers::forget() {
+  const std::lock_guard lock(mutex_);
+  kept_.clear();
+}
+
 http::Response KeptAnswers::answer(const std::string& question, const Make& make) {
   const std::string mark =
       mark_of(store_folder_, data_folder_) + std::to_string(now_().time_since_epoch() / longest);

@@ -27,6 +27,8 @@ class KeptAnswers {
 
   /// @param question  the same for the same answer; @throws what `make` throws, which is not kept
   [[nodiscard]] http::Response answer(const std::string& question, const Make& make);
+  /// From now on all is worked out anew, also what is being worked out.
+  void forget();
 
  private:
   using Pending = std::shared_future<std::shared_ptr<const http::Response>>;

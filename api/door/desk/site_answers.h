@@ -30,6 +30,7 @@ class WaterAtHand {
 struct Answers {
   std::filesystem::path store_folder, data_folder;
   std::function<UtcTime()> now;
+  bool by_clock = true;  ///< `now` is the machine's clock, and not one that somebody set
   std::shared_ptr<WaterAtHand> water = std::make_shared<WaterAtHand>();
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "api/ask/morning/morning.h"
+#include "api/ask/plan/plan_file.h"
 #include "api/ask/rehearse/mission_file.h"
 #include "api/program/paths.h"
 #include "fields/base/attempt.h"
@@ -148,7 +150,24 @@ json tasks_json(const Site& site) {
   return tasks;
 }
 
-void add_description(const Site& site, UtcTime now, json& out) {
+/// Ports of the vessels of its plan, each once; a plan that cannot be read has none.
+json ports_json(const Site& site, const std::filesystem::path& store) {
+  json ports = json::array();
+  static_cast<void>(attempt([&] {
+    const std::filesystem::path file = plan_of_site(site.id, store);
+    if (file.empty()) return;
+    for (const PlanFile::Vessel& vessel : load_plan_file(file, store).vessels) {
+      if (!vessel.port) continue;
+      json port = place_json(vessel.port->point);
+      port["name"] = vessel.port->name;
+      if (std::find(ports.begin(), ports.end(), port) == ports.end())
+        ports.push_back(std::move(port));
+    }
+  }));
+  return ports;
+}
+
+void add_description(const Site& site, UtcTime now, const std::filesystem::path& store, json& out) {
   out["name"] = site.name;
   out["place"] = place_json(site.point);
   out["time_zone"] = site.time_zone ? json(site.time_zone->name()) : json(nullptr);
@@ -164,6 +183,7 @@ void add_description(const Site& site, UtcTime now, json& out) {
   out["turbines"] = std::move(turbines);
   out["cables"] = std::move(cables);
   out["areas"] = std::move(areas);
+  out["ports"] = ports_json(site, store);
   out["tasks"] = tasks_json(site);
   out["hub_height_m"] = or_null(site.hub_height_m);
 }
@@ -218,11 +238,11 @@ json site_json(const std::string& id, const IssuedFields& forecasts, const Fresh
   json out{{"id", id}, {"forecast", nullptr}};
   const auto* forecast = served(*catalogue, id);
   if (forecast == nullptr) {
-    add_description(described_site(id, store_folder), freshness.now(), out);
+    add_description(described_site(id, store_folder), freshness.now(), store_folder, out);
   } else {
     out["name"] = forecast->field->snapshot().site_name;
     const auto [site, trouble] = description_of(id, store_folder);
-    if (site) add_description(*site, freshness.now(), out);
+    if (site) add_description(*site, freshness.now(), store_folder, out);
     out["trouble"] = trouble;
     add_reach(forecast->field->snapshot(), out);
   }

@@ -108,9 +108,9 @@ std::string record_text(const DecisionsRecord& record) {
   return parts.empty() ? "no go was decided, and no workable day was lost" : joined(parts, "; ");
 }
 
-std::string recorded_text(const DecisionMade& made, std::int64_t id) {
+std::string recorded_text(const DecisionMade& made) {
   const store::DecisionRow& row = made.row;
-  std::string text = "decision " + std::to_string(id) + " recorded: " + word_of(row.decided) +
+  std::string text = "decision " + std::to_string(row.id) + " recorded: " + word_of(row.decided) +
                      " for " + task_and_place(row) + ", start " + minute_text(row.start) + ", by " +
                      row.by + "\n";
   text += "the program says: " + said_text(row) + " (" + forecast_text(row) + ")\n";

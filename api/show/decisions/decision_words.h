@@ -27,7 +27,7 @@ namespace slackwater::api {
 
 /// What is told at once of a decision that was filed, in lines: "decision 7 recorded: go for ...",
 /// what the program says of the start, and what it replaces.
-[[nodiscard]] std::string recorded_text(const DecisionMade& made, std::int64_t id);
+[[nodiscard]] std::string recorded_text(const DecisionMade& made);
 
 /// All of an answer for people: a paragraph each, then the record.
 [[nodiscard]] std::string decisions_text(const DecisionsAnswer& answer);

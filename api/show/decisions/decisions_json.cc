@@ -62,9 +62,8 @@ json decisions_json(const DecisionsAnswer& answer) {
           {"decisions", decisions},        {"record", record_json(answer.record)}};
 }
 
-json recorded_json(const DecisionMade& made, std::int64_t id) {
+json recorded_json(const DecisionMade& made) {
   json out = row_json(made.row);
-  out["id"] = id;
   out["in_place_of"] = made.before ? json(made.before->id) : json(nullptr);
   return out;
 }

@@ -12,6 +12,6 @@ namespace slackwater::api {
 [[nodiscard]] nlohmann::json record_json(const DecisionsRecord& record);
 [[nodiscard]] nlohmann::json decisions_json(const DecisionsAnswer& answer);
 /// What `decide` prints: the record as it was filed.
-[[nodiscard]] nlohmann::json recorded_json(const DecisionMade& made, std::int64_t id);
+[[nodiscard]] nlohmann::json recorded_json(const DecisionMade& made);
 
 }  // namespace slackwater::api

@@ -12,6 +12,7 @@ import { decisions_list } from './decisions_list';
 import { plan_gantt } from './plan_gantt';
 import { provenance } from './provenance';
 import { Section } from './section';
+import { SignOff } from './sign_off';
 import { trust_line } from './trust';
 import { windows_gantt, type Gantt } from './windows_gantt';
 import { yesterday } from './yesterday';
@@ -31,7 +32,8 @@ class Decide {
   private readonly plan = new Section('The plan', 'plan-section');
   private readonly trust = new Section('Trust', 'trust-section');
   private readonly before = new Section('The last forecasts against what came', 'before-section');
-  private readonly decided = new Section('Decisions', 'decisions-section');
+  private readonly sign: SignOff;
+  private readonly decided = new Section('Hand-over log', 'decisions-section');
   private readonly source = new Section('Where this is from', 'source-section');
   private readonly gantts = new Map<string, Gantt>();
   private shown: Shown = 'today';
@@ -43,14 +45,19 @@ class Decide {
 
   constructor(private readonly desk: Desk) {
     this.board = new Board(desk);
+    this.sign = new SignOff(desk, () => {
+      desk.server.forget();
+      this.list_decisions();
+    });
     this.node.append(
       this.board.node,
       this.now.node,
       this.trust.node,
       this.starts.node,
       this.plan.node,
-      this.before.node,
+      this.sign.node,
       this.decided.node,
+      this.before.node,
       this.source.node,
     );
     desk.onChange((changed) => {
@@ -111,8 +118,8 @@ class Decide {
     const { round } = this;
     this.gantts.clear();
     const { zone, zone_name } = look;
-    for (const section of [this.now, this.starts, this.plan, this.before, this.decided])
-      section.say_zone(zone_name);
+    const timed = [this.now, this.starts, this.plan, this.sign, this.decided, this.before];
+    for (const section of timed) section.say_zone(zone_name);
     void this.now.show(
       report.then((it) =>
         days(it, { zone, zone_name, now_ms: server.now_ms() }, this.why_no_today(it.body)),
@@ -130,9 +137,8 @@ class Decide {
     void this.trust.show(of_report((it) => trust_line(it, look)));
     void this.starts.show(of_report((it) => this.windows(it, round)));
     void this.plan.show(of_report((it) => this.planned(it, round)));
-    void this.decided.show(
-      this.get<Decisions>('/decisions').then((it) => decisions_list(it, site, look)),
-    );
+    void this.show_sign_off(site, report, round);
+    this.list_decisions();
     const since = in_force === null ? '' : `?from=${day_before(in_force.day, SCORED_DAYS)}`;
     void this.before.show(
       this.get<Score[]>(`/verification${since}`).then((it) => yesterday(it, look)),
@@ -141,6 +147,23 @@ class Decide {
       problem instanceof Refused ? problem.detail : String(problem),
     );
     void this.source.show(of_report(async (it) => provenance(it, in_force, await sources, look)));
+  }
+
+  private async show_sign_off(
+    site: string,
+    report: Promise<Answer<Report>>,
+    round: number,
+  ): Promise<void> {
+    const it = await report.catch(() => null);
+    if (round === this.round) this.sign.show(site, it?.body ?? null);
+  }
+
+  private list_decisions(): void {
+    const { site } = this.desk.view.values;
+    const { look } = this.desk;
+    void this.decided.show(
+      this.get<Decisions>('/decisions').then((it) => decisions_list(it, site, look)),
+    );
   }
 
   private why_no_today({ to, forecast }: Report): string {

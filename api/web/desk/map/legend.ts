@@ -1,22 +1,30 @@
 // The legend: what each sign is, and whether a direction is meant "to" or "from".
 import type { Desk } from '../look/desk';
-import { drawn, element, set_text } from '../../look/element';
+import { drawn, element, set_hidden, set_text } from '../../look/element';
+import type { Bed } from './bed';
 import { current_arrow, wave_arrow, wind_barb } from './arrows';
 
 const LEGEND_M_S = 0.5;
-export type Layer = 'current' | 'wind' | 'waves' | 'names';
+export type Layer = 'current' | 'wind' | 'waves' | 'bed' | 'names';
 export type Shown = Record<Layer, boolean>;
 
 export function legend(
   desk: Desk,
   shown: Shown,
   on_change: () => void,
-): { node: HTMLElement; say: (depth_m: number | null) => void } {
+): {
+  node: HTMLElement;
+  say: (depth_m: number | null) => void;
+  say_bed: (bed: Bed | string | null) => void;
+} {
   const current = element('span');
+  const bed = element('span');
+  const source = element('p', { class: 'note', hidden: true });
   const rows: [Layer, SVGElement | null, HTMLElement][] = [
     ['current', current_arrow(LEGEND_M_S, 90), current],
     ['wind', wind_barb(7.7, 270), words('Wind at 10 m, from: the staff stands to windward')],
     ['waves', wave_arrow(1, 270), words('Waves, from: the arrow comes in; longer is higher')],
+    ['bed', contour_sign(), bed],
     ['names', null, words('Names and values')],
   ];
   const node = element('details', { class: 'legend' }, element('summary', {}, 'Legend'));
@@ -30,10 +38,12 @@ export function legend(
   }
   node.append(
     fixed(drawn('circle', { class: 'column', r: 4 }), 'Column of the forecast, with its bed depth'),
-    fixed(turbine_sign(), 'Turbine'),
+    fixed(turbine_sign(225), 'Turbine; the bar is the side of its boat landing'),
+    fixed(port_sign(), 'Port of a vessel of the plan'),
     fixed(drawn('path', { class: 'cable', d: 'M-16,0 L16,0' }), 'Cable'),
     fixed(drawn('path', { class: 'area', d: 'M-15,-7 h30 v14 h-30 Z' }), 'Zone'),
     fixed(place_sign(), 'Chosen place'),
+    source,
     element('p', { class: 'note' }, 'Coast: Natural Earth 1:50 million. Not for navigation.'),
     element(
       'p',
@@ -50,8 +60,18 @@ export function legend(
         : `Current at ${depth_m} m, to: the arrow goes with the water; this long is ${speed}`,
     );
   };
+  const say_bed = (of: Bed | string | null): void => {
+    const is_there = of !== null && typeof of !== 'string';
+    set_text(bed, is_there ? `Depth contours, m below ${of.datum}` : 'Depth contours');
+    set_hidden(source, of === null);
+    if (of === null) return;
+    const { product, attribution } = is_there ? of : { product: '', attribution: '' };
+    const by = attribution === '' ? '' : `, ${attribution}`;
+    set_text(source, is_there ? `Depths: ${product}${by}` : `No depth contours: ${of}`);
+  };
   say(null);
-  return { node, say };
+  say_bed(null);
+  return { node, say, say_bed };
 }
 
 function words(text: string): HTMLElement {
@@ -60,7 +80,7 @@ function words(text: string): HTMLElement {
 
 function sign_of(sign: SVGElement | null, layer: Layer): SVGElement | string {
   if (sign === null) return '';
-  const offset = layer === 'current' ? -24 : 24;
+  const offset = layer === 'bed' ? 0 : layer === 'current' ? -24 : 24;
   return drawn(
     'svg',
     { class: 'sign', viewBox: '-22 -12 44 24', 'aria-hidden': 'true' },
@@ -74,13 +94,31 @@ function fixed(sign: SVGElement, text: string): HTMLElement {
   return element('p', { class: 'check' }, picture, words(text));
 }
 
-export function turbine_sign(): SVGElement {
-  return drawn(
+/** @param landing_deg  the side where boats land, clockwise from north; null: nobody says */
+export function turbine_sign(landing_deg: number | null = null): SVGElement {
+  const sign = drawn(
     'g',
     { class: 'turbine' },
     drawn('path', { d: 'M0,0 L0,-8 M0,0 L7,4 M0,0 L-7,4' }),
     drawn('circle', { r: 2 }),
   );
+  if (landing_deg !== null) {
+    sign.append(drawn('path', { d: 'M-4,-11 h8', transform: `rotate(${landing_deg})` }));
+  }
+  return sign;
+}
+
+export function port_sign(): SVGElement {
+  return drawn(
+    'g',
+    { class: 'port' },
+    drawn('circle', { cy: -6, r: 2 }),
+    drawn('path', { d: 'M0,-4 V7 M-4,-1 H4 M-7,2 Q-5,7 0,7 Q5,7 7,2' }),
+  );
+}
+
+function contour_sign(): SVGElement {
+  return drawn('path', { class: 'contour', d: 'M-20,4 C-8,-10 6,10 20,-4' });
 }
 
 export function place_sign(): SVGElement {

@@ -6,6 +6,7 @@ import type { SiteMap } from '../server/answers';
 import { words_of } from '../look/top';
 import { Refused } from '../server/server';
 import type { Place } from '../view';
+import { draw_bed, fetch_bed, type Bed } from './bed';
 import type { Box } from './cells';
 import { cells_layer } from './cells_layer';
 import { coast_path, fetch_coast } from './coast';
@@ -36,10 +37,12 @@ export function mapPart(desk: Desk): HTMLElement {
   let site: SiteMap | null = null;
   let seen_ms = NaN; // when the site was described, by the server's clock
   let field = NO_FIELD;
+  let bed: Bed | null = null;
   let size = { width: 0, height: 0 };
-  const shown: Shown = { current: true, wind: true, waves: true, names: true };
+  const shown: Shown = { current: true, wind: true, waves: true, bed: true, names: true };
 
   const coast = drawn('path', { class: 'land' });
+  const depths = drawn('g', { class: 'bed' });
   const [things, water, place] = [drawn('g'), drawn('g', { class: 'water' }), drawn('g')];
   const cells = cells_layer(desk);
   const aim = drawn('path', { class: 'aim', d: 'M-9,0 H9 M0,-9 V9' });
@@ -54,7 +57,7 @@ export function mapPart(desk: Desk): HTMLElement {
         'Map, north up. Arrow keys move it, plus and minus zoom, 0 shows all, Enter takes the ' +
         'place in the middle. The table of columns says the same in words.',
     },
-    ...[coast, things, cells.node, water, place, aim, bar],
+    ...[depths, coast, things, cells.node, water, place, aim, bar],
   );
   const says = element('p', { class: 'map-says', role: 'status', hidden: true });
   /** Where to look while the site is not described yet. */
@@ -86,6 +89,8 @@ export function mapPart(desk: Desk): HTMLElement {
     if (size.width < 2) return;
     const from = camera();
     const to = projection_of(from, size);
+    if (bed === null || !shown.bed) depths.replaceChildren();
+    else draw_bed(depths, bed, to, size);
     coast.setAttribute('d', coast_path(to, box_of(from, size)));
     if (site === null) things.replaceChildren();
     else draw_things(things, site, to, shown.names, look, seen_ms);
@@ -112,10 +117,21 @@ export function mapPart(desk: Desk): HTMLElement {
       if (!(problem instanceof Refused)) throw problem; // a map without coast shows the site
     }
   };
+  const load_bed = async (id: string): Promise<void> => {
+    const came = await fetch_bed(server, id);
+    if (view.values.site !== id) return;
+    bed = typeof came === 'string' ? null : came;
+    signs.say_bed(came);
+    draw();
+  };
   const show_site = (next: SiteMap | null): void => {
     // An old forecast's arrows do not stay, and never those of another site.
     const is_same = next?.id === site?.id && in_force(next) === in_force(site);
     if (!is_same) field = NO_FIELD;
+    if (next?.id !== site?.id) {
+      bed = null;
+      signs.say_bed(null);
+    }
     site = next;
     seen_ms = server.now_ms();
     depth.show(site);
@@ -144,6 +160,7 @@ export function mapPart(desk: Desk): HTMLElement {
       if (mine !== asked) return;
       const has_field = field !== NO_FIELD && field.refused.length === 0;
       show_site(next);
+      if (bed === null) void load_bed(id);
       if (has_field && field !== NO_FIELD) return; // it is only the site that was looked at again
       const came = await fetch_field(server, next);
       if (mine !== asked) return;

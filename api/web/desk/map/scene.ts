@@ -7,7 +7,7 @@ import type { Area, SiteMap } from '../server/answers';
 import type { Place } from '../view';
 import { beside_barbs_px, current_arrow, wave_arrow, wind_barb } from './arrows';
 import type { Weather } from './field';
-import { place_sign, turbine_sign, type Shown } from './legend';
+import { place_sign, port_sign, turbine_sign, type Shown } from './legend';
 
 type Point = [number, number];
 const AREA_NAME_PX = 90;
@@ -51,10 +51,23 @@ export function draw_things(
       turbines.every((b, j) => i === j || Math.hypot(a.at[0] - b.at[0], a.at[1] - b.at[1]) > 30),
   );
   for (const { turbine, at: here } of turbines) {
-    made.push(drawn('g', { transform: `translate(${here})` }, turbine_sign()));
+    const sign = turbine_sign(turbine.landing_deg);
+    sign.append(drawn('title', {}, turbine_words(turbine, look)));
+    made.push(drawn('g', { transform: `translate(${here})` }, sign));
     if (names && has_room) made.push(text(here, 0, -14, turbine.id, 'name middle'));
   }
+  for (const port of site.ports) {
+    const here = screen(to, port);
+    made.push(drawn('g', { transform: `translate(${here})` }, port_sign()));
+    if (names) made.push(text(here, 0, 22, port.name, 'name middle'));
+  }
   at.replaceChildren(...made);
+}
+
+function turbine_words({ id, landing_deg }: SiteMap['turbines'][number], look: Look): string {
+  return is_known(landing_deg)
+    ? `${id}, boat landing on its ${look.direction(landing_deg)} side`
+    : id;
 }
 
 /** Up, right, down, left: where words stand beside a column. */

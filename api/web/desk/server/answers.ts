@@ -59,6 +59,7 @@ export interface SiteMap {
   })[];
   cables: { id: string; points: [number, number][] }[];
   areas: Area[];
+  ports: (Place & { name: string })[]; // of the vessels of its plan
   tasks: { id: string; name: string }[];
   in_words: string;
   forecast: ForecastInForce | null;
@@ -86,6 +87,7 @@ export function whole_site(answer: Partial<SiteMap> & { id: string }): SiteMap {
     turbines: [],
     cables: [],
     areas: [],
+    ports: [],
     tasks: [],
     in_words: '',
     forecast: null,

@@ -104,6 +104,11 @@ export class Server {
     }
   }
 
+  /** Something was written: what is kept may be otherwise now. */
+  forget(): void {
+    this.asked.forget();
+  }
+
   async site(id: string): Promise<SiteMap> {
     return whole_site(await this.get(`/sites/${encodeURIComponent(id)}`));
   }

@@ -126,6 +126,27 @@ TEST_F(DeskAnswers, ASiteSaysWhatLiesThere) {
   EXPECT_EQ(got("/sites/bare").at("forecast"), nullptr);
 }
 
+TEST_F(DeskAnswers, ASiteSaysTheNamedPortsOfItsPlan) {
+  EXPECT_EQ(got("/sites/farm").at("ports"), json::array()) << "its plan names none";
+  const std::filesystem::path file = made_->store() / "plans" / "farm.yaml";
+  const std::string plan = read_bytes(file);
+  const std::string vessel = "  - {id: ctv1, crews: 1, speed_kn: 20, hours: 00:00-24:00";
+  const std::string at = ", port: {name: Emden, latitude_deg: 53.34, longitude_deg: 7.19}}\n";
+  std::string with_port = plan;
+  with_port.replace(with_port.find(vessel) + vessel.size(), 2,
+                    at + "  - {id: ctv2, crews: 1, speed_kn: 20, hours: 00:00-24:00" + at);
+  std::ofstream(file) << with_port;
+  const json ports = got("/sites/farm").at("ports");
+  ASSERT_EQ(ports.size(), 1U) << "of two vessels once: " << ports;
+  EXPECT_EQ(ports[0].at("name"), "Emden");
+  EXPECT_NEAR(ports[0].at("latitude_deg").get<double>(), 53.34, 1e-12);
+  EXPECT_NEAR(ports[0].at("longitude_deg").get<double>(), 7.19, 1e-12);
+  std::ofstream(file) << "no plan: [";
+  EXPECT_EQ(got("/sites/farm").at("ports"), json::array());
+  std::ofstream(file) << plan;
+  EXPECT_EQ(got("/sites/bare").at("ports"), json::array());
+}
+
 TEST_F(DeskAnswers, AnAnswerIsKeptUntilTheStoreChanges) {
   const HttpReply first = reply("/sites/farm/windows");
   const std::string tag = first.field("etag");

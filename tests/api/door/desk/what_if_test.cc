@@ -95,10 +95,12 @@ TEST_F(WhatIf, WhatCannotBeReadIsRefused) {
 }
 
 TEST_F(WhatIf, EachPathSaysByWhatItIsServed) {
-  const std::pair<const char*, const char*> all[] = {{"/sites/farm/what-if", "POST, OPTIONS"},
-                                                     {"/sites/farm", "GET, HEAD, OPTIONS"},
-                                                     {"/missions", "GET, HEAD, POST, OPTIONS"},
-                                                     {"/missions/x/cancel", "POST, OPTIONS"}};
+  const std::pair<const char*, const char*> all[] = {
+      {"/sites/farm/what-if", "POST, OPTIONS"},
+      {"/sites/farm", "GET, HEAD, OPTIONS"},
+      {"/missions", "GET, HEAD, POST, OPTIONS"},
+      {"/missions/x/cancel", "POST, OPTIONS"},
+      {"/sites/farm/decisions", "GET, HEAD, POST, OPTIONS"}};
   for (const auto& [path, methods] : all) {
     HttpClient client(port_);
     client.send(std::string("OPTIONS ") + path + " HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");

@@ -63,5 +63,5 @@ test('EachSectionWithHoursNamesTheirClockOnce', () => {
   const node = decidePart(desk);
   expect(node.querySelector('.days-section h2')?.textContent).toBe('Today and the next day, UTC');
   const zones = [...node.querySelectorAll('h2 .zone')].map((it) => it.textContent);
-  expect(zones.filter((it) => it === ', UTC').length).toBe(5);
+  expect(zones.filter((it) => it === ', UTC').length).toBe(6);
 });

@@ -64,3 +64,53 @@ test('ARefusalThatComesLateIsNotSaidOfAnotherSite', async () => {
   await answer('/sites/a', { title: 'x', detail: 'the file is cut off' }, 500);
   expect(node.querySelector('.map-says')?.textContent).toBe('');
 });
+
+const BED = {
+  product: 'A_SURVEY',
+  datum: 'geoid (mean sea level)',
+  attribution: 'Who sounded it',
+  features: [
+    {
+      properties: { depth_m: 20 },
+      geometry: {
+        coordinates: [
+          [
+            [0.9, 51],
+            [1, 51.001],
+            [1.1, 51],
+          ],
+        ],
+      },
+    },
+  ],
+};
+const PORTS = [{ name: 'Emden', longitude_deg: 1.001, latitude_deg: 51.001 }];
+
+test('ContoursLieBeneathAllElseAndSayWhoseTheyAre', async () => {
+  const site = { ...(site_answer('b') as object), ports: PORTS };
+  const kept = { ...KEPT, '/sites/b/bed': BED, '/sites/b': site };
+  const { desk, answer } = late_server(two_sites(), kept, { site: 'b' });
+  const node = mapPart(desk);
+  document.body.replaceChildren(node);
+  await new Promise((over) => setTimeout(over, 20));
+  const picture = node.querySelector('.picture');
+  expect(picture?.firstElementChild?.getAttribute('class')).toBe('bed');
+  expect(picture?.querySelectorAll('.contour').length).toBe(1);
+  expect(picture?.querySelector('.contour')?.textContent).toBe('20 m below geoid (mean sea level)');
+  expect(picture?.querySelector('.depth')?.textContent).toBe('20 m');
+  expect(picture?.textContent).toContain('Emden');
+  const legend = node.querySelector('.legend');
+  expect(legend?.textContent).toContain('Depths: A_SURVEY, Who sounded it');
+  const box = legend?.querySelectorAll('input')[3] as HTMLInputElement;
+  box.checked = false;
+  box.dispatchEvent(new Event('change'));
+  expect(picture?.querySelectorAll('.contour').length).toBe(0);
+  // Of a site without there is nothing of the one before, and it says why.
+  box.checked = true;
+  desk.view.set({ site: 'a' });
+  await answer('/sites/a', site_answer('a'));
+  await answer('/sites/a/bed', { title: 'x', detail: 'found no bathymetry' }, 404);
+  expect(picture?.querySelectorAll('.contour').length).toBe(0);
+  expect(legend?.textContent).toContain('No depth contours: found no bathymetry');
+  expect(picture?.textContent).not.toContain('Emden');
+});
