@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/ask/rehearse/mission_file.h"
+#include "api/door/desk/report_page.h"
 #include "api/program/paths.h"
 #include "fields/base/attempt.h"
 #include "fields/base/error.h"
@@ -82,7 +83,10 @@ json site_line(const SiteState& state, const ForecastCatalogue& catalogue,
           {"status", name_of(state.condition)},
           {"in_words", beside(in_words(state, freshness), trouble)},
           {"forecast", forecast_json(state)},
-          {"report", "/sites/" + state.site_id + "/report"}};
+          {"report", "/sites/" + state.site_id + "/report"},
+          {"report_page", report_page_of(state.site_id, store, freshness.now())
+                              ? json("/sites/" + state.site_id + "/report.html")
+                              : json(nullptr)}};
 }
 
 /// Of a site that the store describes, and has no forecast of.
@@ -97,7 +101,8 @@ json unforecast_line(const Site& site) {
            "--site " +
                site.id},
           {"forecast", nullptr},
-          {"report", nullptr}};
+          {"report", nullptr},
+          {"report_page", nullptr}};
 }
 
 json unreadable_line(const std::string& id, const std::string& trouble) {
@@ -108,7 +113,8 @@ json unreadable_line(const std::string& id, const std::string& trouble) {
           {"status", "no_forecast"},
           {"in_words", trouble},
           {"forecast", nullptr},
-          {"report", nullptr}};
+          {"report", nullptr},
+          {"report_page", nullptr}};
 }
 
 json turbine_json(const TurbinePlace& turbine) {
