@@ -60,6 +60,7 @@ soak: test-packages venv
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
 	tests/soak/morning build/release/api/slackwater build/soak-demo/store
+	tests/soak/desk build/release/api/slackwater build/soak-demo/store build/node
 	$(MAKE) fuzz
 
 fuzz: test-packages

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <sstream>
 
@@ -36,11 +37,67 @@ IndexRange around(const std::vector<double>& axis, double low, double high) {
   return {first, last > first ? last - first : 0};
 }
 
+/// Whether a grid goes round the Earth: its first column is the next of its last.
+bool is_cyclic(const std::vector<double>& longitude_deg) {
+  if (longitude_deg.size() < 3) return false;
+  const double wide = longitude_deg.back() - longitude_deg.front();
+  const double step = wide / static_cast<double>(longitude_deg.size() - 1);
+  return std::abs(wide + step - 360) < 0.5 * step;
+}
+
+/// Of a grid that goes round, with one more on either side. The columns are counted on past the
+/// seam: all of them are its own and the first once more.
+IndexRange columns_around_cyclic(const std::vector<double>& axis, double west, double east) {
+  const std::size_t n = axis.size();
+  const auto columns = static_cast<std::int64_t>(n);
+  // How many columns lie west of a longitude, counted from the first of turn 0.
+  const auto columns_before = [&](double longitude, bool with_its_own) {
+    const double turns = std::floor((longitude - axis.front()) / 360);
+    const double x = longitude - 360 * turns;
+    const auto end = with_its_own ? std::upper_bound(axis.begin(), axis.end(), x)
+                                  : std::lower_bound(axis.begin(), axis.end(), x);
+    return static_cast<std::int64_t>(turns) * columns + (end - axis.begin());
+  };
+  const std::int64_t first = columns_before(west, false) - 1;
+  const auto count = static_cast<std::size_t>(columns_before(east, true) + 1 - first);
+  if (count > n) return {0, n + 1};
+  return {static_cast<std::size_t>((first % columns + columns) % columns), count};
+}
+
 IndexRange columns_around(const Grid& grid, const BoundingBox& box) {
+  const std::vector<double>& axis = grid.longitude_deg;
   const double east = box.east_deg < box.west_deg ? box.east_deg + 360 : box.east_deg;
-  const double middle = 0.5 * (grid.longitude_deg.front() + grid.longitude_deg.back());
+  if (is_cyclic(axis)) return columns_around_cyclic(axis, box.west_deg, east);
+  const double middle = 0.5 * (axis.front() + axis.back());
   const double turn = 360.0 * std::round((middle - 0.5 * (box.west_deg + east)) / 360.0);
-  return around(grid.longitude_deg, box.west_deg + turn, east + turn);
+  IndexRange all = around(axis, box.west_deg + turn, east + turn);
+  // A wide box may hold both ends of a wide grid, and not what is missing between them.
+  for (const double other : {turn - 360, turn + 360}) {
+    if (east + other < axis.front() || box.west_deg + other > axis.back()) continue;
+    const IndexRange more = around(axis, box.west_deg + other, east + other);
+    const std::size_t end = std::max(all.first + all.count, more.first + more.count);
+    all.first = std::min(all.first, more.first);
+    all.count = end - all.first;
+  }
+  return all;
+}
+
+/// Two cuts of one grid as one, the second behind the first, once round the Earth.
+GriddedField joined_at_seam(const GriddedField& west, const GriddedField& east) {
+  GriddedField both = west;
+  for (const double x : east.grid.longitude_deg) both.grid.longitude_deg.push_back(x + 360);
+  const auto join = [&](const auto& a, const auto& b, auto& out) {
+    out.clear();
+    const auto a_columns = static_cast<std::ptrdiff_t>(west.grid.columns());
+    const auto b_columns = static_cast<std::ptrdiff_t>(east.grid.columns());
+    for (auto i = a.begin(), j = b.begin(); i != a.end(); i += a_columns, j += b_columns) {
+      out.insert(out.end(), i, i + a_columns);
+      out.insert(out.end(), j, j + b_columns);
+    }
+  };
+  join(west.values, east.values, both.values);
+  join(west.status, east.status, both.status);
+  return both;
 }
 
 IndexRange times_within(const Grid& grid, const CutOut& window) {
@@ -63,11 +120,6 @@ std::string kind_of_times(const std::vector<TimeCell>& time) {
   if (!hides_the_tide(averaging)) return "/mean";
   return "/mean-" + std::to_string((averaging + std::chrono::minutes(1)) / std::chrono::hours(1)) +
          "h";
-}
-
-/// Products that a file does not name may be anybody's: two of them are one where their grids are.
-bool is_nobodys(const std::string& product_id) {
-  return product_id == "cf" || product_id == "unnamed_weather";
 }
 
 /// Spacing and offset of a grid, the same for cuts of it: "/0.0833x0.125+0.04,0.02".
@@ -168,8 +220,14 @@ class OpenGranule {
     const IndexRange times = times_within(grid, window);
     if (rows.count == 0 || columns.count == 0 || times.count == 0) return std::nullopt;
     Loaded loaded{entry_, file_.granule(), {}};
-    loaded.field = file_.read(name, times.first, times.count, rows.first, rows.count, columns.first,
-                              columns.count);
+    const auto read_columns = [&](std::size_t first, std::size_t count) {
+      return file_.read(name, times.first, times.count, rows.first, rows.count, first, count);
+    };
+    const std::size_t before_seam = std::min(columns.count, grid.columns() - columns.first);
+    loaded.field = read_columns(columns.first, before_seam);
+    if (before_seam < columns.count) {
+      loaded.field = joined_at_seam(loaded.field, read_columns(0, columns.count - before_seam));
+    }
     return loaded;
   }
 
@@ -227,10 +285,48 @@ std::vector<VectorPiece> vector_pieces(const FindGranules& find, const std::stri
   return pieces;
 }
 
-/// Pieces per name, each granule opened once for all of them.
-std::vector<std::vector<ScalarPiece>> scalar_pieces(const FindGranules& find,
-                                                    const std::vector<std::string>& wanted,
-                                                    const CutOut& window) {
+/// Whether a dataset of `wanted` is none of those found.
+bool lacks_any_of(const std::vector<ScalarPiece>& found, const std::vector<ScalarPiece>& wanted) {
+  return std::any_of(wanted.begin(), wanted.end(), [&](const ScalarPiece& one) {
+    return std::none_of(found.begin(), found.end(), [&](const ScalarPiece& piece) {
+      return piece.origin.dataset == one.origin.dataset;
+    });
+  });
+}
+
+}  // namespace
+
+bool is_nobodys(const std::string& product_id) {
+  return product_id == "cf" || product_id == "unnamed_weather";
+}
+
+bool comes_near(bool is_point_series, const BoundingBox& bounds,
+                const std::vector<std::string>& standard_names, const CutOut& window) {
+  if (!is_point_series) return overlaps(bounds, widened(window.box, granule_margin_km));
+  double reach_km = 0;
+  for (const std::string& name : standard_names)
+    reach_km = std::max(reach_km, series_reach_m(name) / 1000);
+  return overlaps(bounds, widened(window.site, reach_km));
+}
+
+CutOut cut_around(const BoundingBox& box, UtcTime from, UtcTime to) {
+  const double east = box.east_deg < box.west_deg ? box.east_deg + 360 : box.east_deg;
+  return {from,
+          to,
+          {box.west_deg - margin_deg, std::max(-90.0, box.south_deg - margin_deg),
+           east + margin_deg, std::min(90.0, box.north_deg + margin_deg)},
+          box};
+}
+
+std::size_t cells_read(const Grid& grid, const CutOut& window) {
+  return grid.levels() *
+         around(grid.latitude_deg, window.box.south_deg, window.box.north_deg).count *
+         columns_around(grid, window.box).count;
+}
+
+std::vector<std::vector<ScalarPiece>> scalar_pieces_of(const CutOut& window,
+                                                       const std::vector<std::string>& wanted,
+                                                       const FindGranules& find) {
   std::vector<std::vector<ScalarPiece>> pieces(wanted.size());
   for (const GranuleEntry& entry : find(wanted, window)) {
     std::optional<OpenGranule> granule;
@@ -248,62 +344,45 @@ std::vector<std::vector<ScalarPiece>> scalar_pieces(const FindGranules& find,
   return pieces;
 }
 
-/// Whether a dataset of `wanted` is none of those found.
-bool lacks_any_of(const std::vector<ScalarPiece>& found, const std::vector<ScalarPiece>& wanted) {
-  return std::any_of(wanted.begin(), wanted.end(), [&](const ScalarPiece& one) {
-    return std::none_of(found.begin(), found.end(), [&](const ScalarPiece& piece) {
-      return piece.origin.dataset == one.origin.dataset;
-    });
-  });
-}
-
-}  // namespace
-
-bool comes_near(bool is_point_series, const BoundingBox& bounds,
-                const std::vector<std::string>& standard_names, const CutOut& window) {
-  if (!is_point_series) return overlaps(bounds, widened(window.box, granule_margin_km));
-  double reach_km = 0;
-  for (const std::string& name : standard_names)
-    reach_km = std::max(reach_km, series_reach_m(name) / 1000);
-  return overlaps(bounds, widened(window.site, reach_km));
-}
-
 SitePieces pieces_of(const Site& site, UtcTime from, UtcTime to, const FindGranules& find) {
+  return pieces_of(CutOut{from, to, site.box(margin_deg), site.box(0)}, find);
+}
+
+SitePieces pieces_of(const CutOut& window, const FindGranules& find) {
   SitePieces pieces;
-  const CutOut window{from, to, site.box(margin_deg), site.box(0)};
   pieces.current =
       vector_pieces(find, "eastward_sea_water_velocity", "northward_sea_water_velocity", window);
   join_moorings(pieces.current);
   pieces.wind = vector_pieces(find, "eastward_wind", "northward_wind", window);
   const auto scalar = [&](const char* name) {
-    return std::move(scalar_pieces(find, {name}, window).front());
+    return std::move(scalar_pieces_of(window, {name}, find).front());
   };
   pieces.mixed_layer_depth = scalar("ocean_mixed_layer_thickness_defined_by_sigma_theta");
   if (pieces.mixed_layer_depth.empty())
     pieces.temperature = scalar("sea_water_potential_temperature");
-  auto waves = scalar_pieces(find,
-                             {"sea_surface_wave_significant_height",
-                              "sea_surface_wave_period_at_variance_spectral_density_maximum",
-                              "sea_surface_wave_from_direction"},
-                             window);
+  auto waves = scalar_pieces_of(window,
+                                {"sea_surface_wave_significant_height",
+                                 "sea_surface_wave_period_at_variance_spectral_density_maximum",
+                                 "sea_surface_wave_from_direction"},
+                                find);
   pieces.significant_height = std::move(waves[0]);
   pieces.peak_period = std::move(waves[1]);
   pieces.wave_direction = std::move(waves[2]);
   if (lacks_any_of(pieces.peak_period, pieces.significant_height)) {
-    auto means = scalar_pieces(
-        find,
+    auto means = scalar_pieces_of(
+        window,
         {"sea_surface_wave_mean_period_from_variance_spectral_density_inverse_frequency_moment",
          "sea_surface_wave_mean_period_from_variance_spectral_density_second_frequency_moment",
          "sea_surface_wave_zero_upcrossing_period"},
-        window);
+        find);
     pieces.energy_period = std::move(means[0]);
     pieces.zero_crossing_period = std::move(means[1]);
     std::move(means[2].begin(), means[2].end(), std::back_inserter(pieces.zero_crossing_period));
   }
   pieces.sea_level = scalar("sea_surface_height_above_geoid");
   pieces.water_depth =
-      std::move(scalar_pieces(find, {"sea_floor_depth_below_geoid"},
-                              {std::nullopt, std::nullopt, window.box, window.site})[0]);
+      std::move(scalar_pieces_of({std::nullopt, std::nullopt, window.box, window.site},
+                                 {"sea_floor_depth_below_geoid"}, find)[0]);
   return pieces;
 }
 

@@ -32,6 +32,9 @@ struct GranuleEntry {
   std::optional<UtcTime> published{};       ///< when its provider published it, where that is known
 };
 
+/// Whether a product is one that a file does not name: two of them may be anybody's.
+[[nodiscard]] bool is_nobodys(const std::string& product_id);
+
 /// Grids that come nearer than this to the window's box are looked at.
 inline constexpr double granule_margin_km = 10;
 /// Nothing farther from a site speaks for it, in any direction: the reach of a wind mast.
@@ -58,5 +61,18 @@ using FindGranules = std::function<std::vector<GranuleEntry>(
 /// there. An Error names the quantity and the product.
 [[nodiscard]] SitePieces pieces_of(const Site& site, UtcTime from, UtcTime to,
                                    const FindGranules& find);
+/// The same of a window that is no site's.
+[[nodiscard]] SitePieces pieces_of(const CutOut& window, const FindGranules& find);
+
+/// Pieces of scalar quantities, by their CF names, whatever these are: as many lists as names. Each
+/// granule is opened once for all of them.
+[[nodiscard]] std::vector<std::vector<ScalarPiece>> scalar_pieces_of(
+    const CutOut& window, const std::vector<std::string>& standard_names, const FindGranules& find);
+
+/// What is read for places in a box: its cells and those around it.
+/// @param box  its longitudes in any turn; west > east across the antimeridian
+[[nodiscard]] CutOut cut_around(const BoundingBox& box, UtcTime from, UtcTime to);
+/// How many cells, of all levels, are read for one time of a grid.
+[[nodiscard]] std::size_t cells_read(const Grid& grid, const CutOut& window);
 
 }  // namespace slackwater::ingest

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <functional>
 #include <optional>
 
 #include "data/store/layout.h"
@@ -22,25 +22,37 @@ namespace {
 /// Cells this near are one: axes of single precision.
 constexpr double same_cell_deg = 2e-5;
 constexpr double same_level_m = 1e-3;
-/// Values of a quantity that are read at once where the window lets it: 16 MB.
-constexpr std::size_t read_at_once = 4'000'000;
-/// What `pieces_of` reads around the places, degrees; a cell more on either side.
-constexpr double read_around_deg = 0.3;
+/// Values that are read at once where the window lets it: 32 MB.
+constexpr std::size_t read_at_once = 8'000'000;
 
-GeoPoint point_at(double latitude_deg, double longitude_deg) {
-  return GeoPoint::from_degrees(latitude_deg, std::remainder(longitude_deg, 360.0));
+BoundingBox box_of(const ProductWindow& window) {
+  return {window.west_deg, window.south_deg, window.east_deg, window.north_deg};
 }
 
-/// The window as a site, which is how data are read: its corners are the columns.
-Site site_of(const ProductWindow& window) {
-  Site site;
-  site.id = "window";
-  // Next to its middle the corners keep their turn.
-  site.point = point_at(0.5 * (window.south_deg + window.north_deg),
-                        0.5 * (window.west_deg + window.east_deg));
-  site.columns = {point_at(window.south_deg, window.west_deg),
-                  point_at(window.north_deg, window.east_deg)};
-  return site;
+/// Means that only touch the window say nothing of it.
+bool is_in(const TimeCell& cell, const ProductWindow& window) {
+  if (cell.is_mean()) return cell.start < window.to && cell.end > window.from;
+  return cell.start >= window.from && cell.start <= window.to;
+}
+
+/// How many quantities of a product a file holds.
+std::size_t names_held(const StoredProduct& product, const store::GranuleRow& row) {
+  const auto& names = row.standard_names;
+  return static_cast<std::size_t>(std::count_if(
+      product.standard_names.begin(), product.standard_names.end(), [&](const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+      }));
+}
+
+/// ", e.g. to A/B": the last of the window that holds few enough files; empty where too many end
+/// with it.
+std::string range_that_fits(const std::vector<const store::GranuleRow*>& granules, UtcTime to) {
+  std::vector<UtcTime> ends;
+  ends.reserve(granules.size());
+  for (const store::GranuleRow* row : granules) ends.push_back(*row->last_time);
+  std::sort(ends.begin(), ends.end(), std::greater<>());
+  const UtcTime from = ends[ProductView::most_files] + std::chrono::seconds(1);
+  return from < to ? ", e.g. to " + format_utc(from) + "/" + format_utc(to) : std::string();
 }
 
 void add_near(std::vector<double>& sorted, double value, double same) {
@@ -48,28 +60,10 @@ void add_near(std::vector<double>& sorted, double value, double same) {
   if (next == sorted.end() || *next > value + same) sorted.insert(next, value);
 }
 
-/// As the window counts it.
+/// As the window counts it: of both ends of a whole turn the west.
 double in_window(double longitude_deg, const ProductWindow& window) {
   const double middle = 0.5 * (window.west_deg + window.east_deg);
-  return longitude_deg + 360.0 * std::round((middle - longitude_deg) / 360.0);
-}
-
-/// How many entries of an axis lie within a range, with one more on either side.
-std::size_t count_around(const std::vector<double>& axis, double low, double high) {
-  const auto begin = std::lower_bound(axis.begin(), axis.end(), low);
-  const auto end = std::upper_bound(axis.begin(), axis.end(), high);
-  return std::min(axis.size(), static_cast<std::size_t>(end - begin) + 2);
-}
-
-std::size_t cells_read(const Grid& grid, const ProductWindow& window) {
-  const double middle = 0.5 * (grid.longitude_deg.front() + grid.longitude_deg.back());
-  const double turn =
-      360.0 * std::round((middle - 0.5 * (window.west_deg + window.east_deg)) / 360.0);
-  return grid.levels() *
-         count_around(grid.latitude_deg, window.south_deg - read_around_deg,
-                      window.north_deg + read_around_deg) *
-         count_around(grid.longitude_deg, window.west_deg + turn - read_around_deg,
-                      window.east_deg + turn + read_around_deg);
+  return longitude_deg + 360.0 * std::ceil((middle - longitude_deg) / 360.0 - 0.5);
 }
 
 std::string run_of(const Origin& origin) {
@@ -140,7 +134,7 @@ SampleStatus why_absent(const Column<T>& column, std::size_t t, std::size_t k,
 }
 
 /// A chosen series into the sheet, as `parts` quantities from `first` on.
-/// @param is_leading  what is absent is counted by it, and it says of which run values are
+/// @param is_leading  what is absent is counted by it
 template <typename T>
 void put_series(const Chosen<T>& chosen, bool on_land, std::size_t first, std::size_t parts,
                 bool is_leading, const Stretched& wanted, Sheet& sheet) {
@@ -168,7 +162,7 @@ void put_series(const Chosen<T>& chosen, bool on_land, std::size_t first, std::s
       is_used = true;
       for (std::size_t q = 0; q < parts; ++q)
         sheet.put(first + q, *row, k, wanted.place, part_of(column.value[at], q));
-      if (is_leading) sheet.put(period, *row, k, wanted.place, forecast_period_h(origin, centre));
+      sheet.put(period, *row, k, wanted.place, forecast_period_h(origin, centre));
     }
     if (!is_used) continue;
     out.runs.insert(run_of(origin));
@@ -192,56 +186,64 @@ Choice grids_alone() {
   return choice;
 }
 
-void put_vector(const std::vector<VectorPiece>& pieces, const GeoPoint& point,
-                const Stretched& wanted, Sheet& sheet) {
-  const VectorRecord record = record_at(pieces, point);
-  put_series(choose(record, Knowledge{}, grids_alone()), record.on_land, 0, 2, true, wanted, sheet);
-}
+/// What of a product is read around a place: of a vector both components, then scalars.
+struct Read {
+  const std::vector<VectorPiece>* vector = nullptr;  ///< null: it has none
+  std::vector<std::vector<ScalarPiece>> scalars;
+};
 
-/// Height, period and direction of one run, as far as the product has them.
-void put_waves(const SitePieces& pieces, const std::vector<std::string>& held,
-               const GeoPoint& point, const Stretched& wanted, Sheet& sheet) {
-  const std::map<std::string, const std::vector<ScalarPiece>*> by_name{
-      {quantities_of(ProductKind::waves)[0], &pieces.significant_height},
-      {quantities_of(ProductKind::waves)[1], &pieces.peak_period},
-      {quantities_of(ProductKind::waves)[2], &pieces.wave_direction}};
-  std::vector<ScalarRecord> records;  // outlive what was chosen from them
+/// The first that there is decides which run speaks when, for all.
+void put_place(const Read& read, const GeoPoint& point, const Stretched& wanted, Sheet& sheet) {
+  VectorRecord vector;  // records outlive what was chosen from them
+  std::vector<ScalarRecord> records;
   std::vector<Stretch> leading;
-  records.reserve(held.size());
-  for (std::size_t q = 0; q < held.size(); ++q) {
-    records.push_back(record_at(*by_name.at(held[q]), point));
+  std::size_t q = 0;
+  if (read.vector != nullptr) {
+    vector = record_at(*read.vector, point);
+    const auto chosen = choose(vector, Knowledge{}, grids_alone());
+    put_series(chosen, vector.on_land, q, vector_components, true, wanted, sheet);
+    leading = chosen.stretches;
+    q = vector_components;
+  }
+  records.reserve(read.scalars.size());
+  for (const std::vector<ScalarPiece>& pieces : read.scalars) {
+    records.push_back(record_at(pieces, point));
     Choice choice = grids_alone();
-    if (q > 0 && !leading.empty()) choice.like = &leading;
+    if (!leading.empty()) choice.like = &leading;
     const Chosen<double> chosen = choose(records.back(), Knowledge{}, choice);
     put_series(chosen, records.back().on_land, q, 1, q == 0, wanted, sheet);
     if (q == 0) leading = chosen.stretches;
+    ++q;
   }
 }
 
 }  // namespace
 
 ProductView::ProductView(std::filesystem::path store, const StoredProduct& product,
-                         const ProductWindow& window)
-    : store_(std::move(store)), product_(product), window_(window) {
-  const BoundingBox box = site_of(window).box(0);
+                         const ProductWindow& window, std::size_t most)
+    : store_(std::move(store)), product_(product), window_(window), most_read_(most) {
+  const BoundingBox box = box_of(window);
+  const ingest::CutOut cut = ingest::cut_around(box, window.from, window.to);
   for (const store::GranuleRow& row : product.granules) {
     if (*row.last_time < window.from || *row.first_time > window.to) continue;
     if (overlaps(row.bounds, widened(box, ingest::granule_margin_km))) granules_.push_back(&row);
   }
   if (granules_.size() > most_files) {
-    throw Error(ErrorKind::usage, "found a query that reaches into " +
-                                      std::to_string(granules_.size()) +
-                                      " stored files of the product; expected at most " +
-                                      std::to_string(most_files) + ": narrow datetime");
+    throw Error(ErrorKind::usage,
+                "found a query that reaches into " + std::to_string(granules_.size()) +
+                    " stored files of the product; expected at most " + std::to_string(most_files) +
+                    ": narrow datetime" + range_that_fits(granules_, window.to));
   }
   std::size_t unreadable = 0;
   const auto open = [&](const store::GranuleRow& row) {
     const ingest::GranuleFile file =
         ingest::GranuleFile::open(store::proven_content(store_, row.content_sha256));
     const Grid& grid = file.granule().grid;
+    const std::size_t read = ingest::cells_read(grid, cut) * names_held(product, row);
     for (const TimeCell& cell : grid.time) {
-      if (cell.centre() < window.from || cell.centre() > window.to) continue;
-      time_.push_back(cell.centre());
+      if (!is_in(cell, window)) continue;
+      time_.push_back(cell);
+      stored_[cell.centre()] += read;
     }
     for (const double level : grid.levels_m) add_near(levels_m_, level, same_level_m);
     for (const double y : grid.latitude_deg)
@@ -251,7 +253,6 @@ ProductView::ProductView(std::filesystem::path store, const StoredProduct& produ
       if (here >= window.west_deg && here <= window.east_deg)
         add_near(longitude_deg_, here, same_cell_deg);
     }
-    cells_a_time_ = std::max(cells_a_time_, cells_read(grid, window));
   };
   std::erase_if(granules_, [&](const store::GranuleRow* row) {
     if (store::content_fault(store_, row->content_sha256)) {
@@ -274,35 +275,39 @@ ProductView::ProductView(std::filesystem::path store, const StoredProduct& produ
                 "the stored files of this product cannot be read now; tell the operator, who finds "
                 "them by `slackwater store check`");
   }
-  stored_times_ = time_.size();
-  std::sort(time_.begin(), time_.end());
-  time_.erase(std::unique(time_.begin(), time_.end()), time_.end());
+  std::sort(time_.begin(), time_.end(),
+            [](const TimeCell& a, const TimeCell& b) { return a.centre() < b.centre(); });
+  time_.erase(
+      std::unique(time_.begin(), time_.end(),
+                  [](const TimeCell& a, const TimeCell& b) { return a.centre() == b.centre(); }),
+      time_.end());
 }
 
 ProductValues ProductView::values(std::span<const GeoPoint> places, std::span<const UtcTime> times,
-                                  std::span<const double> levels_m) const {
+                                  std::span<const double> levels_m, Levels which) const {
   ProductValues out;
-  const std::size_t levels = std::max<std::size_t>(1, levels_m.size());
+  const bool is_one_each = which == Levels::one_for_each;
+  const std::size_t levels = is_one_each ? 1 : std::max<std::size_t>(1, levels_m.size());
   out.value.assign(product_.standard_names.size() + 1,
                    std::vector<double>(times.size() * levels * places.size(), constants::nan));
   out.absent.resize(levels);
   if (times.empty() || places.empty()) return out;
-  if (cells_a_time_ > most_read) {
-    throw Error(ErrorKind::usage, "found a query around " + std::to_string(cells_a_time_) +
-                                      " cells and levels of the product at each time; expected at "
-                                      "most " +
-                                      std::to_string(most_read) + ": narrow the area");
+  for (const UtcTime time : times) {
+    if (stored_.at(time) <= most_read_) continue;
+    throw Error(ErrorKind::usage, "found a query around " + std::to_string(stored_.at(time)) +
+                                      " values of the product at " + format_utc(time) +
+                                      ", of all its runs; expected at most " +
+                                      std::to_string(most_read_) + ": narrow the area");
   }
-  // Where runs overlap, a time is read once of each.
-  const std::size_t editions =
-      (stored_times_ + time_.size() - 1) / std::max<std::size_t>(1, time_.size());
-  const std::size_t at_once = std::max<std::size_t>(
-      1,
-      read_at_once / std::max<std::size_t>(1, cells_a_time_ * std::max<std::size_t>(1, editions)));
-  const auto& names = quantities_of(product_.kind);
+  const auto& names = product_.standard_names;
   Sheet sheet(out, times, levels, places.size());
-  for (std::size_t first = 0; first < times.size(); first += at_once) {
-    const auto part = times.subspan(first, std::min(at_once, times.size() - first));
+  for (std::size_t first = 0, count = 0; first < times.size(); first += count) {
+    std::size_t held = 0;
+    for (count = 0; first + count < times.size(); ++count) {
+      held += stored_.at(times[first + count]);
+      if (count > 0 && held > read_at_once) break;
+    }
+    const auto part = times.subspan(first, count);
     const auto find = [&](const std::vector<std::string>& asked, const ingest::CutOut& window) {
       std::vector<ingest::GranuleEntry> found;
       for (const store::GranuleRow* row : granules_) {
@@ -319,9 +324,22 @@ ProductValues ProductView::values(std::span<const GeoPoint> places, std::span<co
       }
       return found;
     };
+    const bool is_vector = product_.kind != ProductKind::waves;
+    const std::size_t first_scalar = is_vector ? vector_components : 0;
+    // What is given beside a vector (gusts, at 10 m) has one level.
+    const bool has_scalars = !is_vector || levels == 1;
     SitePieces pieces;
+    Read read;
     try {
-      pieces = ingest::pieces_of(site_of(window_), part.front(), part.back(), find);
+      const ingest::CutOut cut = ingest::cut_around(box_of(window_), part.front(), part.back());
+      if (is_vector) {
+        pieces = ingest::pieces_of(cut, find);
+        read.vector = product_.kind == ProductKind::currents ? &pieces.current : &pieces.wind;
+      }
+      if (has_scalars) {
+        read.scalars = ingest::scalar_pieces_of(
+            cut, {names.begin() + static_cast<std::ptrdiff_t>(first_scalar), names.end()}, find);
+      }
     } catch (const Error& error) {
       log_event(LogLevel::error, "stored product cannot be read",
                 {{"product", product_.product_id}, {"problem", error.message()}});
@@ -330,13 +348,8 @@ ProductValues ProductView::values(std::span<const GeoPoint> places, std::span<co
                   "finds them by `slackwater store check`");
     }
     for (std::size_t p = 0; p < places.size(); ++p) {
-      const Stretched wanted{part, levels_m, p};
-      if (product_.kind == ProductKind::waves) {
-        put_waves(pieces, product_.standard_names, places[p], wanted, sheet);
-      } else {
-        put_vector(product_.kind == ProductKind::currents ? pieces.current : pieces.wind, places[p],
-                   wanted, sheet);
-      }
+      const Stretched wanted{part, is_one_each ? levels_m.subspan(p, 1) : levels_m, p};
+      put_place(read, places[p], wanted, sheet);
     }
   }
   return out;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
@@ -14,7 +15,7 @@ namespace slackwater::api {
 
 /// What is wanted of a stored product: a box, and a stretch of time.
 struct ProductWindow {
-  /// Its longitudes in any turn, west <= east.
+  /// Its longitudes in any turn, west <= east, at most 360 apart.
   double west_deg = 0;
   double south_deg = 0;
   double east_deg = 0;
@@ -50,14 +51,18 @@ class ProductView {
   /// Files that one view may open.
   static constexpr std::size_t most_files = 1000;
 
+  /// Values, of all quantities and runs, that are held in memory at once: 128 MB.
+  static constexpr std::size_t most_read = 32'000'000;
+
   /// @param store  the store's folder
+  /// @param most   values that may be held in memory at once
   /// @throws Error(usage) where the window reaches into more files than `most_files`;
   /// Error(unavailable), without the store's paths, where none of those it reaches can be read
   ProductView(std::filesystem::path store, const StoredProduct& product,
-              const ProductWindow& window);
+              const ProductWindow& window, std::size_t most = most_read);
 
-  /// Centres of its time cells in the window, ascending.
-  [[nodiscard]] const std::vector<UtcTime>& time() const noexcept { return time_; }
+  /// Its instants in the window and the means whose time overlaps it, ascending by centre.
+  [[nodiscard]] const std::vector<TimeCell>& time() const noexcept { return time_; }
   /// Ascending; empty without a vertical.
   [[nodiscard]] const std::vector<double>& levels_m() const noexcept { return levels_m_; }
   /// Of its cell centres in the box, as the box counts longitudes; ascending.
@@ -66,29 +71,32 @@ class ProductView {
   /// Damaged files that were left out.
   [[nodiscard]] std::size_t damaged() const noexcept { return damaged_; }
 
+  /// At which levels values are wanted.
+  enum class Levels {
+    all_at_each,   ///< at each place all of them
+    one_for_each,  ///< at each place its own: as many as places, and one level in the values
+  };
   /// @param places    in the window's box
-  /// @param times     of `time()`, ascending
+  /// @param times     centres of `time()`, ascending, without gaps
   /// @param levels_m  empty without a vertical
-  /// @throws Error(usage) where one time of the cells around the places is more than `most_read`;
-  /// Error(unavailable) for a file that cannot be read
+  /// @throws Error(usage) where the files hold more than `most` values at one of the times around
+  /// the places; Error(unavailable) for a file that cannot be read
   [[nodiscard]] ProductValues values(std::span<const GeoPoint> places,
                                      std::span<const UtcTime> times,
-                                     std::span<const double> levels_m) const;
-
-  /// Values of one quantity held in memory at once: 64 MB.
-  static constexpr std::size_t most_read = 16'000'000;
+                                     std::span<const double> levels_m,
+                                     Levels which = Levels::all_at_each) const;
 
  private:
   std::filesystem::path store_;
   const StoredProduct& product_;
   ProductWindow window_;
+  std::size_t most_read_;
   std::vector<const store::GranuleRow*> granules_;
-  std::vector<UtcTime> time_;
+  std::vector<TimeCell> time_;
   std::vector<double> levels_m_;
   std::vector<double> longitude_deg_;
   std::vector<double> latitude_deg_;
-  std::size_t cells_a_time_ = 0;  ///< cells x levels that are read for one time of one file
-  std::size_t stored_times_ = 0;  ///< of all files; more than `time_` where runs overlap
+  std::map<UtcTime, std::size_t> stored_;  ///< how many values are read at a centre, of all runs
   std::size_t damaged_ = 0;
 };
 

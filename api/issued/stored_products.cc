@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 #include <map>
-#include <set>
-#include <tuple>
+
+#include "fields/base/sha256.h"
+#include "fields/base/text.h"
+#include "ingest/pieces.h"
 
 namespace slackwater::api {
 namespace {
@@ -23,13 +26,17 @@ bool holds_any(const store::GranuleRow& row, ProductKind kind) {
                      [&](const std::string& name) { return holds(row, name); });
 }
 
-/// Files that name neither their product nor their dataset may be anybody's: those are one that
-/// cover the same place.
-auto dataset_of(const store::GranuleRow& row, ProductKind kind) {
-  const bool is_nobodys = row.product_id == "cf" || row.product_id == "unnamed_weather";
-  const BoundingBox box = is_nobodys ? row.bounds : BoundingBox{};
-  return std::tuple(kind, row.product_id, row.dataset_id, row.vertical, box.west_deg, box.south_deg,
-                    box.east_deg, box.north_deg);
+/// What tells one dataset from another, as a text. Files on other levels cannot be joined. Files
+/// that name neither their product nor their dataset may be anybody's: those are one that cover
+/// the same place.
+std::string dataset_of(const store::GranuleRow& row, ProductKind kind) {
+  std::string text = std::string(name_of(kind)) + '/' + row.product_id + '/' + row.dataset_id +
+                     '/' + std::to_string(static_cast<int>(row.vertical));
+  if (row.lowest_level_m && row.highest_level_m)
+    text += formatted("@{:.3f}-{:.3f}", *row.lowest_level_m, *row.highest_level_m);
+  if (!ingest::is_nobodys(row.product_id)) return text;
+  const BoundingBox& box = row.bounds;
+  return text + formatted("/{},{},{},{}", box.west_deg, box.south_deg, box.east_deg, box.north_deg);
 }
 
 /// What a path segment holds without being encoded.
@@ -83,7 +90,7 @@ void add(StoredProduct& product, const store::GranuleRow& row) {
   product.granules.push_back(row);
 }
 
-/// Its names in the order of the kind; of a vector both, or it is none.
+/// Its names in the order of the kind; of a vector both components, or it is none.
 bool settle_names(StoredProduct& product) {
   for (const std::string& name : quantities_of(product.kind)) {
     const bool is_held =
@@ -91,14 +98,16 @@ bool settle_names(StoredProduct& product) {
                     [&](const store::GranuleRow& row) { return holds(row, name); });
     if (is_held) product.standard_names.push_back(name);
   }
-  const bool is_vector = product.kind != ProductKind::waves;
-  return !is_vector || product.standard_names.size() == quantities_of(product.kind).size();
+  if (product.kind == ProductKind::waves) return true;
+  const auto& all = quantities_of(product.kind);
+  const auto& held = product.standard_names;
+  return held.size() >= vector_components &&
+         std::equal(all.begin(), all.begin() + vector_components, held.begin());
 }
 
-std::int64_t first_ingested(const StoredProduct& product) {
-  std::int64_t first = product.granules.front().id;
-  for (const store::GranuleRow& row : product.granules) first = std::min(first, row.id);
-  return first;
+std::string plain_id(const StoredProduct& product) {
+  return "product-" + std::string(name_of(product.kind)) + "-" +
+         fit_for_a_path(product.dataset_id.empty() ? product.product_id : product.dataset_id);
 }
 
 }  // namespace
@@ -111,15 +120,22 @@ std::string_view name_of(ProductKind kind) noexcept {
 const std::vector<std::string>& quantities_of(ProductKind kind) {
   static const std::array<std::vector<std::string>, 3> names{
       {{"eastward_sea_water_velocity", "northward_sea_water_velocity"},
-       {"eastward_wind", "northward_wind"},
+       {"eastward_wind", "northward_wind", "wind_speed_of_gust"},
        {"sea_surface_wave_significant_height",
         "sea_surface_wave_period_at_variance_spectral_density_maximum",
-        "sea_surface_wave_from_direction"}}};
+        "sea_surface_wave_from_direction", "sea_surface_wind_wave_significant_height",
+        "sea_surface_wind_wave_mean_period", "sea_surface_wind_wave_from_direction",
+        "sea_surface_primary_swell_wave_significant_height",
+        "sea_surface_primary_swell_wave_mean_period",
+        "sea_surface_primary_swell_wave_from_direction",
+        "sea_surface_secondary_swell_wave_significant_height",
+        "sea_surface_secondary_swell_wave_mean_period",
+        "sea_surface_secondary_swell_wave_from_direction"}}};
   return names[static_cast<std::size_t>(kind)];
 }
 
-std::vector<StoredProduct> stored_products(std::vector<store::GranuleRow> granules) {
-  std::map<decltype(dataset_of({}, {})), StoredProduct> by_dataset;
+std::vector<StoredProduct> stored_products(const std::vector<store::GranuleRow>& granules) {
+  std::map<std::string, StoredProduct> by_dataset;
   for (const store::GranuleRow& row : granules) {
     if (row.is_point_series || !row.first_time || row.status == DataStatus::observation) continue;
     for (const ProductKind kind : kinds) {
@@ -129,21 +145,17 @@ std::vector<StoredProduct> stored_products(std::vector<store::GranuleRow> granul
       add(product, row);
     }
   }
+  for (auto each = by_dataset.begin(); each != by_dataset.end();)
+    each = settle_names(each->second) ? std::next(each) : by_dataset.erase(each);
+  std::map<std::string, int> named;
+  for (const auto& [key, product] : by_dataset) ++named[plain_id(product)];
   std::vector<StoredProduct> products;
-  for (auto& [key, product] : by_dataset)
-    if (settle_names(product)) products.push_back(std::move(product));
-  std::sort(products.begin(), products.end(), [](const StoredProduct& a, const StoredProduct& b) {
-    return first_ingested(a) < first_ingested(b);
-  });
-  std::set<std::string> taken;
-  for (StoredProduct& product : products) {
+  for (auto& [key, product] : by_dataset) {
     std::sort(product.runs.begin(), product.runs.end());
-    const std::string name =
-        "product-" + std::string(name_of(product.kind)) + "-" +
-        fit_for_a_path(product.dataset_id.empty() ? product.product_id : product.dataset_id);
-    product.id = name;
-    for (int n = 2; !taken.insert(product.id).second; ++n)
-      product.id = name + "-" + std::to_string(n);
+    product.id = plain_id(product);
+    if (named[product.id] > 1 || ingest::is_nobodys(product.product_id))
+      product.id += "-" + sha256_of_text(key).substr(0, 6);
+    products.push_back(std::move(product));
   }
   std::sort(products.begin(), products.end(),
             [](const StoredProduct& a, const StoredProduct& b) { return a.id < b.id; });

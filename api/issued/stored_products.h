@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,22 +14,27 @@ namespace slackwater::api {
 enum class ProductKind { currents, wind, waves };
 /// "currents", "wind", "waves".
 [[nodiscard]] std::string_view name_of(ProductKind kind) noexcept;
-/// CF standard names: of a vector its two components, east first; of waves height, period,
-/// direction.
+/// CF standard names. Of currents and wind the two components come first, east before north; of
+/// waves height, period and direction, then those of wind sea and swells apart.
 [[nodiscard]] const std::vector<std::string>& quantities_of(ProductKind kind);
 
-/// One dataset that product files were ingested of, as far as it is about one kind. Gridded
-/// products alone: what instruments measured at a place is no product.
+/// Of currents and wind.
+inline constexpr std::size_t vector_components = 2;
+
+/// One dataset that product files on the same levels were ingested of, as far as it is about one
+/// kind. Gridded products alone: what instruments measured at a place is no product.
 struct StoredProduct {
   /// "product-currents-cmems_mod_glo_phy-cur_anfc_0.083deg_PT6H-i": by its dataset, else its
-  /// product; fit for a path. Where that names two, later ones have "-2", "-3", …
+  /// product; fit for a path. Where that names several (cuts at other depths), and always of files
+  /// that name neither, it has "-3fa29c" behind it, by what tells it from others: no name passes
+  /// from one sea to another.
   std::string id;
   ProductKind kind = ProductKind::currents;
   std::string product_id;
   std::string dataset_id;  ///< empty: its files do not say
   std::vector<std::string> attributions;
-  std::vector<std::string>
-      standard_names;  ///< those of `quantities_of` that it holds, in their order
+  /// Those of `quantities_of` that it holds, in their order; of a vector both components.
+  std::vector<std::string> standard_names;
   UtcTime from{};      ///< start of the first cell
   UtcTime to{};        ///< end of the last
   BoundingBox bounds;  ///< of all its files; west > east across the antimeridian
@@ -42,6 +48,7 @@ struct StoredProduct {
 };
 
 /// The products among a store's granules, by id.
-[[nodiscard]] std::vector<StoredProduct> stored_products(std::vector<store::GranuleRow> granules);
+[[nodiscard]] std::vector<StoredProduct> stored_products(
+    const std::vector<store::GranuleRow>& granules);
 
 }  // namespace slackwater::api

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "fields/base/error.h"
 #include "fields/record/choose.h"
 #include "tests/support/product_files_for_tests.h"
@@ -154,6 +156,61 @@ TEST_F(ReadPiecesTest, APieceKnowsWhenItWasPublishedAndAPairIsAsYoungAsItsLaterF
   files_.clear();
   add(slackwater::tests::current_product(day));
   EXPECT_EQ(read().current[0].origin.published, std::nullopt);
+}
+
+/// Linear between any two whole degrees.
+double wind_of_longitude(double longitude_deg) {
+  return 0.1 * std::abs(std::remainder(longitude_deg, 360.0));
+}
+
+/// A wind round the Earth, cells a degree apart.
+ProductForTests global_wind(int west_deg, int columns) {
+  ProductForTests product = slackwater::tests::wind_product(day, 1);
+  product.latitude_deg = {52, 53, 54, 55, 56};
+  product.longitude_deg.clear();
+  for (int i = 0; i < columns; ++i) product.longitude_deg.push_back(west_deg + i);
+  product.quantity("eastward_wind").value = [](const ProductCell& cell) {
+    return wind_of_longitude(cell.longitude_deg);
+  };
+  return product;
+}
+
+TEST_F(ReadPiecesTest, ASiteAwayFromTheSeamHasTheCellsThatAGridWithoutSeamGives) {
+  for (const double longitude_deg : {-179.5, -100.3, -0.5, 0.0, 6.5, 120.25, 177.5}) {
+    const Site site = site_at(longitude_deg);
+    files_.clear();
+    add(global_wind(-180, 360));
+    const SitePieces round = read(site);
+    files_.clear();
+    add(global_wind(-180, 359));  // without its last column: a gap, and no seam
+    const SitePieces gap = read(site);
+    ASSERT_EQ(round.wind.size(), 1U);
+    ASSERT_EQ(gap.wind.size(), 1U);
+    EXPECT_EQ(round.wind[0].east.grid, gap.wind[0].east.grid) << longitude_deg;
+    const auto value = [&](const SitePieces& pieces) {
+      return choose(record_at(pieces.wind, site.point), {}, {}).column.value;
+    };
+    EXPECT_EQ(value(round), value(gap)) << longitude_deg;
+    EXPECT_NEAR(value(round).front().real(), wind_of_longitude(longitude_deg), 1e-5) << "float";
+  }
+}
+
+TEST_F(ReadPiecesTest, ASiteAtTheSeamHasTheCellsOnBothSides) {
+  for (const int west_deg : {-180, 0}) {
+    files_.clear();
+    add(global_wind(west_deg, 360));
+    for (const double longitude_deg : {-180.0, -0.5, -0.2, 0.0, 0.3, 179.5, 179.8}) {
+      const Site site = site_at(longitude_deg);
+      const SitePieces pieces = read(site);
+      ASSERT_EQ(pieces.wind.size(), 1U);
+      const Grid& grid = pieces.wind[0].east.grid;
+      EXPECT_LE(grid.columns(), 4U) << "no more than around the site";
+      const auto chosen = choose(record_at(pieces.wind, site.point), {}, {});
+      ASSERT_EQ(chosen.column.times(), 1U) << west_deg << " " << longitude_deg;
+      EXPECT_NEAR(chosen.column.value.front().real(), wind_of_longitude(longitude_deg), 1e-5)
+          << west_deg << " " << longitude_deg;
+    }
+  }
 }
 
 TEST_F(ReadPiecesTest, AFileThatIsNotThereIsNamed) {

@@ -184,9 +184,11 @@ class Service {
 
   /// What a stored product has none of.
   [[nodiscard]] static Error no_instances(const std::string& id) {
-    return {ErrorKind::not_found,
-            "found no issued forecasts in '" + id +
-                "', which is a stored product; its runs are told apart by forecast_period"};
+    return {
+        ErrorKind::not_found,
+        "found no issued forecasts in '" + id +
+            "', which is a stored product: ask it by position, radius, area, cube or locations; "
+            "its runs are told apart by forecast_period"};
   }
 
   Planned location(const Request& request, const PathParameters& path, bool of_instance) const {
@@ -239,15 +241,13 @@ class Service {
   /// Of a location by its name.
   static GeoPoint place_of(const ForecastCatalogue& catalogue, const PathParameters& path) {
     const std::string& text = path.at("locationId");
-    const std::optional<LocationName> name = location_named(text, catalogue);
-    if (!name) {
-      throw Error(ErrorKind::not_found, "found no location '" + shown(text) +
-                                            "'; the collection's /locations lists what there is");
+    if (const std::optional<LocationName> name = location_named(text, catalogue)) {
+      for (const auto& site : catalogue.sites)
+        if (site.site_id == name->site_id)
+          return site.field->snapshot().columns.at(name->column).point;
     }
-    for (const auto& site : catalogue.sites)
-      if (site.site_id == name->site_id)
-        return site.field->snapshot().columns.at(name->column).point;
-    return {};
+    throw Error(ErrorKind::not_found, "found no location '" + shown(text) +
+                                          "'; the collection's /locations lists what there is");
   }
 
   static Format expect_format(const Request& request, const QueryString& query) {

@@ -15,6 +15,7 @@ export interface ViewValues {
   place: Place | null; // null: the site's own
   panel: Panel;
   map: (Place & { zoom: number }) | null; // null: all that lies at the site
+  cells: string; // the product whose cells the map shows; '' none
   palette: Palette;
   speed: SpeedUnit;
   clock: 'utc' | 'site';
@@ -35,6 +36,7 @@ export function first_view(kept: Partial<Kept> = {}): ViewValues {
     place: null,
     panel: 'decide',
     map: null,
+    cells: '',
     palette: 'day',
     speed: 'm/s',
     clock: 'utc',
@@ -61,6 +63,7 @@ export function read_hash(hash: string, otherwise: ViewValues): ViewValues {
     place: place ?? otherwise.place,
     panel: one_of(given.get('panel'), ['decide', 'place', 'what_if'], otherwise.panel),
     map: map !== null && zoom > 0 && zoom < 30 ? { ...map, zoom } : otherwise.map,
+    cells: given.get('cells') ?? otherwise.cells,
     palette: one_of(given.get('palette'), ['day', 'dusk', 'night'], otherwise.palette),
     speed: one_of(given.get('speed'), ['m/s', 'knots'], otherwise.speed),
     clock: one_of(given.get('clock'), ['utc', 'site'], otherwise.clock),
@@ -88,6 +91,7 @@ export function hash_of(values: ViewValues): string {
   if (values.place !== null) say('place', place(values.place));
   say('panel', values.panel);
   if (values.map !== null) say('map', `${place(values.map)},${values.map.zoom.toFixed(2)}`);
+  if (values.cells !== '') say('cells', values.cells);
   for (const key of KEPT) say(key, values[key]);
   return `#${said.join('&')}`;
 }

@@ -47,17 +47,41 @@ TEST(StoredProducts, TwoComponentsInTwoFilesAreOneAndOneAloneIsNone) {
   const auto north = row_of("PHY", "", {currents()[1]});
   EXPECT_EQ(ids_of({east, north}), std::vector<std::string>{"product-currents-PHY"});
   EXPECT_TRUE(ids_of({east}).empty());
+  const auto gusts = row_of("AIR", "", {"eastward_wind", "wind_speed_of_gust"});
+  EXPECT_TRUE(ids_of({gusts}).empty()) << "a gust is no second component";
 }
 
-TEST(StoredProducts, StrangersAtDifferentPlacesAreTwo) {
-  auto elsewhere = row_of("cf", "", currents());
+TEST(StoredProducts, StrangersAtDifferentPlacesAreTwoAndKeepTheirNames) {
   const auto here = row_of("cf", "", currents());
+  auto elsewhere = row_of("cf", "", currents());
   elsewhere.bounds = {10, 40, 11, 41};
-  const auto products = stored_products({here, elsewhere});
-  ASSERT_EQ(products.size(), 2U);
-  EXPECT_EQ(products[0].id, "product-currents-cf");
-  EXPECT_EQ(products[0].bounds.west_deg, 10) << "the first that was ingested has the plain name";
-  EXPECT_EQ(products[1].id, "product-currents-cf-2");
+  auto third = row_of("cf", "", currents());
+  third.bounds = {20, 40, 21, 41};
+  const auto id_of = [&](const std::vector<store::GranuleRow>& rows, double west_deg) {
+    for (const StoredProduct& product : stored_products(rows))
+      if (product.bounds.west_deg == west_deg) return product.id;
+    return std::string("none");
+  };
+  const std::string id = id_of({here, elsewhere}, 2);
+  EXPECT_EQ(id.size(), std::string("product-currents-cf-123456").size());
+  EXPECT_EQ(id, id_of({here}, 2)) << "a stranger alone as well";
+  EXPECT_NE(id, id_of({here, elsewhere}, 10));
+  EXPECT_EQ(id, id_of({third, here}, 2)) << "whatever else is there, and in whatever order";
+  EXPECT_EQ(id_of({here, elsewhere}, 10), id_of({elsewhere, third}, 10)) << "after a prune";
+}
+
+TEST(StoredProducts, FilesOnOtherLevelsAreTwo) {
+  auto shallow = row_of("PHY", "hourly", currents());
+  shallow.vertical = VerticalKind::depth_m;
+  shallow.lowest_level_m = 0.5;
+  shallow.highest_level_m = 30;
+  auto deep = shallow;
+  deep.highest_level_m = 60;
+  const std::vector<std::string> both = ids_of({shallow, deep});
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_NE(both[0], both[1]);
+  EXPECT_EQ(both, ids_of({deep, shallow}));
+  EXPECT_EQ(ids_of({shallow, shallow}), std::vector<std::string>{"product-currents-hourly"});
 }
 
 TEST(StoredProducts, WhatInstrumentsMeasuredAndWhatStandsStillIsNone) {
@@ -81,9 +105,8 @@ TEST(StoredProducts, ExtentAndRunsAreThoseOfAllFiles) {
   for (store::GranuleRow* row : {&analysis, &run}) {
     row->vertical = VerticalKind::depth_m;
     row->lowest_level_m = 0.5;
+    row->highest_level_m = 60;
   }
-  analysis.highest_level_m = 30;
-  run.highest_level_m = 60;
   const StoredProduct product = stored_products({analysis, run}).front();
   EXPECT_EQ(product.from, midnight);
   EXPECT_EQ(product.to, *run.last_time);

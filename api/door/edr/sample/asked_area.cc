@@ -44,17 +44,24 @@ double in_box(double longitude_deg, const Box& box) noexcept {
 }
 
 Box shared(const Box& asked, const Box& area) noexcept {
-  if (asked.east_deg - asked.west_deg >= 360)
-    return {area.west_deg, std::max(asked.south_deg, area.south_deg), area.east_deg,
-            std::min(asked.north_deg, area.north_deg)};
-  Box best{1, 0, 0, 0};
-  for (const double turn : {-720.0, -360.0, 0.0, 360.0, 720.0}) {
-    const Box cut{
-        std::max(asked.west_deg, area.west_deg + turn), std::max(asked.south_deg, area.south_deg),
-        std::min(asked.east_deg, area.east_deg + turn), std::min(asked.north_deg, area.north_deg)};
-    if (cut.east_deg - cut.west_deg > best.east_deg - best.west_deg) best = cut;
+  Box cut{1, std::max(asked.south_deg, area.south_deg), 0,
+          std::min(asked.north_deg, area.north_deg)};
+  if (asked.east_deg - asked.west_deg >= 360) {
+    constexpr double rounding_deg = 1e-3;  // of axes of single precision, with room
+    const bool goes_round = area.east_deg - area.west_deg >= 360 - rounding_deg;
+    cut.west_deg = goes_round ? asked.west_deg : area.west_deg;
+    cut.east_deg = goes_round ? asked.west_deg + 360 : area.east_deg;
+    return cut;
   }
-  return best;
+  for (const double turn : {-720.0, -360.0, 0.0, 360.0, 720.0}) {
+    const double west = std::max(asked.west_deg, area.west_deg + turn);
+    const double east = std::min(asked.east_deg, area.east_deg + turn);
+    if (west > east) continue;
+    const bool is_second = cut.west_deg <= cut.east_deg;
+    cut.west_deg = is_second ? asked.west_deg : west;
+    cut.east_deg = is_second ? asked.east_deg : east;
+  }
+  return cut;
 }
 
 std::vector<double> even_axis(double low, double high, std::size_t count) {

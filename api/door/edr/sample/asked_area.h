@@ -24,8 +24,9 @@ struct AskedArea {
 /// The longitude as the box counts it.
 [[nodiscard]] double in_box(double longitude_deg, const Box& box) noexcept;
 
-/// What two boxes share, with the second moved by whole turns to where they share most;
-/// west > east for nothing.
+/// What two boxes share, as the first counts longitudes; west > east for nothing. Where both ends
+/// of a wide area lie in the first box, its longitudes stay as asked. Of a whole turn that is asked
+/// what the area has, in one piece.
 [[nodiscard]] Box shared(const Box& asked, const Box& area) noexcept;
 
 /// Places of a grid.

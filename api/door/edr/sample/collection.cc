@@ -97,7 +97,8 @@ const Collection& collection_named(const std::string& id) {
     known += (known.empty() ? "" : ", ") + collection.id;
   }
   throw Error(ErrorKind::not_found,
-              "found no collection of that name; there are " + known + " (see /collections)");
+              "found no collection of that name; there are " + known +
+                  ", and product-KIND-ID for each stored product (see /collections)");
 }
 
 std::vector<Parameter> parameters_of(const Collection& collection, std::size_t members) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "fields/base/check.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api::edr {
@@ -16,6 +17,53 @@ const Collection& forecast_of(ProductKind kind) {
 
 /// Of vectors: both components, speed, direction.
 constexpr std::size_t of_a_vector = 4;
+
+/// What products have and forecasts have not.
+Parameter further(const std::string& standard_name) {
+  struct Words {
+    const char* name;
+    const char* label;
+    const char* unit;
+    const char* unit_label;
+  };
+  constexpr std::array all{
+      Words{"wind_speed_of_gust", "Gust speed", "m/s", "metre per second"},
+      Words{"sea_surface_wind_wave_significant_height", "Wind sea, significant height", "m",
+            "metre"},
+      Words{"sea_surface_wind_wave_mean_period", "Wind sea, mean period", "s", "second"},
+      Words{"sea_surface_wind_wave_from_direction", "Direction the wind sea comes from", "deg",
+            "degree"},
+      Words{"sea_surface_primary_swell_wave_significant_height", "Higher swell, significant height",
+            "m", "metre"},
+      Words{"sea_surface_primary_swell_wave_mean_period", "Higher swell, mean period", "s",
+            "second"},
+      Words{"sea_surface_primary_swell_wave_from_direction",
+            "Direction the higher swell comes from", "deg", "degree"},
+      Words{"sea_surface_secondary_swell_wave_significant_height",
+            "Lower swell, significant height", "m", "metre"},
+      Words{"sea_surface_secondary_swell_wave_mean_period", "Lower swell, mean period", "s",
+            "second"},
+      Words{"sea_surface_secondary_swell_wave_from_direction",
+            "Direction the lower swell comes from", "deg", "degree"}};
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Words& words) { return words.name == standard_name; });
+  expects(found != all.end(), "words for each quantity of a product");
+  return {found->name, found->name, found->label, {}, found->unit, found->unit_label, {}};
+}
+
+/// Those of the forecasts' that a product of the kind has too, as they stand there.
+std::vector<Parameter> shared_with_forecasts(const StoredProduct& product) {
+  std::vector<Parameter> list = parameters_of(forecast_of(product.kind), 1);
+  if (product.kind != ProductKind::waves) {
+    list.resize(of_a_vector);
+    return list;
+  }
+  std::erase_if(list, [&](const Parameter& parameter) {
+    const auto& held = product.standard_names;
+    return std::find(held.begin(), held.end(), parameter.standard_name) == held.end();
+  });
+  return list;
+}
 
 template <typename Sample>
 void append_vectors(const Quantities<Sample>& quantities, std::span<const std::size_t> selected,
@@ -84,14 +132,11 @@ Vertical vertical_of(const StoredProduct& product) {
 }
 
 std::vector<Parameter> parameters_of(const StoredProduct& product) {
-  std::vector<Parameter> list = parameters_of(forecast_of(product.kind), 1);
-  if (product.kind == ProductKind::waves) {
-    std::erase_if(list, [&](const Parameter& parameter) {
-      const auto& held = product.standard_names;
-      return std::find(held.begin(), held.end(), parameter.standard_name) == held.end();
-    });
-  } else {
-    list.resize(of_a_vector);
+  std::vector<Parameter> list = shared_with_forecasts(product);
+  for (const std::string& name : product.standard_names) {
+    if (std::none_of(list.begin(), list.end(),
+                     [&](const Parameter& one) { return one.standard_name == name; }))
+      list.push_back(further(name));
   }
   for (Parameter& parameter : list) {
     const bool is_direction = parameter.unit == "deg";
@@ -119,7 +164,8 @@ std::vector<std::vector<double>> values_of(const StoredProduct& product,
   const bool is_vector = product.kind != ProductKind::waves;
   for (std::size_t p = 0; p < selected.size(); ++p) {
     if (!is_vector) values[p] = stored[selected[p]];
-    if (is_vector && selected[p] == of_a_vector) values[p] = stored.back();
+    if (is_vector && selected[p] >= of_a_vector)
+      values[p] = stored[vector_components + selected[p] - of_a_vector];
   }
   return values;
 }

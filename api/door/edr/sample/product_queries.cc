@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "api/door/edr/read/bad_parameter.h"
 #include "api/door/edr/read/bbox.h"
@@ -16,12 +17,32 @@
 #include "api/issued/product_values.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "fields/record/cadence.h"
 
 namespace slackwater::api::edr {
 namespace {
 
-/// Products are stored each day at least: around an instant there is a time this near, or none.
+/// Around an instant, which shows how far apart the times of most products are.
 constexpr Duration about_an_instant = std::chrono::hours(25);
+
+/// So much of a product's time around an instant that the ends of three files lie on either side,
+/// where there are three: times a day apart, each in its own file, show that they hang together.
+TimeSpan around_an_instant(const StoredProduct& product, UtcTime instant) {
+  std::set<UtcTime> ends;
+  for (const store::GranuleRow& row : product.granules) {
+    ends.insert(*row.first_time);
+    ends.insert(*row.last_time);
+  }
+  constexpr int wanted = 3;
+  TimeSpan span{instant - about_an_instant, instant + about_an_instant};
+  auto before = ends.lower_bound(instant);
+  for (int i = 0; i < wanted && before != ends.begin(); ++i) --before;
+  auto after = ends.upper_bound(instant);
+  for (int i = 1; i < wanted && after != ends.end(); ++i) ++after;
+  if (before != ends.end()) span.from = std::min(span.from, *before);
+  span.to = std::max(span.to, after != ends.end() ? *after : *ends.rbegin());
+  return span;
+}
 
 /// What of a product a query asks for, whatever the places.
 struct Asked {
@@ -60,55 +81,111 @@ Asked asked_of(const StoredProduct& product, const QueryString& query) {
     if (asked.from > asked.to) throw outside(product, "datetime " + shown(*text));
     if (range.is_instant()) {
       asked.instant = asked.from;
-      asked.from -= about_an_instant;
-      asked.to += about_an_instant;
+      const TimeSpan around = around_an_instant(product, asked.from);
+      asked.from = around.from;
+      asked.to = around.to;
     }
   }
   asked.z = query.find("z");
   return asked;
 }
 
+/// Between which times of the product an instant lies that it says nothing of: of files that were
+/// not opened the ends.
+Error between_times(const Asked& asked, const ProductView& view) {
+  const UtcTime instant = *asked.instant;
+  std::optional<UtcTime> before;
+  std::optional<UtcTime> after;
+  const auto look_at = [&](UtcTime time) {
+    if (time <= instant) before = std::max(time, before.value_or(time));
+    if (time >= instant) after = std::min(time, after.value_or(time));
+  };
+  for (const TimeCell& cell : view.time()) look_at(cell.centre());
+  if (!before || !after) {
+    for (const store::GranuleRow& row : asked.product->granules) {
+      if (*row.last_time < instant) look_at(*row.last_time);
+      if (*row.first_time > instant) look_at(*row.first_time);
+    }
+  }
+  std::string found = "datetime " + format_utc(instant) + " in a gap of the product's times";
+  if (before) found += ", after " + format_utc(*before);
+  if (after) found += std::string(before ? " and" : ",") + " before " + format_utc(*after);
+  if (view.damaged() > 0)
+    found += " (left out: " + counted(view.damaged(), "stored file") + ", damaged)";
+  return outside(*asked.product, found);
+}
+
+/// The mean that holds the instant, of two that meet there the later; else, where the times around
+/// it hang together, the nearest.
+UtcTime time_for_instant(const Asked& asked, const ProductView& view,
+                         std::vector<std::string>& notes) {
+  const UtcTime instant = *asked.instant;
+  const std::vector<TimeCell>& all = view.time();
+  const auto holder = std::find_if(all.rbegin(), all.rend(), [&](const TimeCell& cell) {
+    return cell.start <= instant && instant <= cell.end;
+  });
+  if (holder != all.rend()) return holder->centre();
+  std::vector<UtcTime> centres;
+  centres.reserve(all.size());
+  for (const TimeCell& cell : all) centres.push_back(cell.centre());
+  const auto after = static_cast<std::size_t>(
+      std::lower_bound(centres.begin(), centres.end(), instant) - centres.begin());
+  if (after == 0 || after == centres.size() || !hangs_on(centres, after))
+    throw between_times(asked, view);
+  const bool is_later = centres[after] - instant < instant - centres[after - 1];
+  const TimeCell& nearest = all[is_later ? after : after - 1];
+  if (nearest.is_mean()) throw between_times(asked, view);
+  notes.push_back(format_utc(instant) + " is between the product's times: its values of " +
+                  format_utc(nearest.start) + ", the nearest, are given");
+  return nearest.start;
+}
+
 std::vector<UtcTime> times_of(const Asked& asked, const ProductView& view,
                               std::vector<std::string>& notes) {
-  const std::vector<UtcTime>& all = view.time();
-  if (all.empty()) {
-    const std::string when = asked.instant ? format_utc(*asked.instant)
-                                           : format_utc(asked.from) + "/" + format_utc(asked.to);
-    throw outside(*asked.product, "no time of the product there in " + when);
-  }
-  if (!asked.instant) return all;
-  const auto nearest = std::min_element(all.begin(), all.end(), [&](UtcTime a, UtcTime b) {
-    const auto off = [&](UtcTime time) {
-      return time < *asked.instant ? *asked.instant - time : time - *asked.instant;
-    };
-    return off(a) < off(b);
-  });
-  if (*nearest != *asked.instant) {
-    notes.push_back(format_utc(*asked.instant) + " is between the product's times: its values of " +
-                    format_utc(*nearest) + ", the nearest, are given");
-  }
-  return {*nearest};
+  if (asked.instant) return {time_for_instant(asked, view, notes)};
+  std::vector<UtcTime> times;
+  for (const TimeCell& cell : view.time()) times.push_back(cell.centre());
+  if (!times.empty()) return times;
+  throw outside(*asked.product, "no time of the product there in " + format_utc(asked.from) + "/" +
+                                    format_utc(asked.to));
+}
+
+/// Levels this near are one.
+constexpr double same_level_m = 1e-3;
+
+/// "depth 0 to 30 m", "height 10 m alone".
+std::string levels_text(const StoredProduct& product, const std::vector<double>& levels_m) {
+  const char* kind = vertical_of(product) == Vertical::height_up ? "height" : "depth";
+  if (levels_m.size() == 1) return formatted("{} {:g} m alone", kind, levels_m.front());
+  return formatted("{} {:g} to {:g} m", kind, levels_m.front(), levels_m.back());
+}
+
+/// Whether a level lies between the first and the last of a product.
+bool is_held(double level_m, const std::vector<double>& levels_m) {
+  return level_m >= levels_m.front() - same_level_m && level_m <= levels_m.back() + same_level_m;
 }
 
 /// Empty without a vertical.
-std::vector<double> levels_of(const Asked& asked, const ProductView& view) {
+/// @param own  points that have their levels themselves
+std::vector<double> levels_of(const Asked& asked, const ProductView& view, const Path& own = {}) {
   const StoredProduct& product = *asked.product;
-  const Vertical vertical = vertical_of(product);
   const std::vector<double>& all = view.levels_m();
-  if (vertical == Vertical::none || all.empty()) {
+  if (vertical_of(product) == Vertical::none || all.empty()) {
     if (asked.z && !asked.z->empty()) {
       throw Error(ErrorKind::usage, "z: found " + shown(*asked.z) + "; the collection " +
                                         product.id + " has no vertical; leave z out");
     }
     return {};
   }
-  if (!asked.z) return all;
-  constexpr double rounding_m = 1e-3;
-  const std::string held =
-      formatted("{} {:g} to {:g} m", vertical == Vertical::height_up ? "height" : "depth",
-                all.front(), all.back());
-  return levels_asked(*asked.z, all.front() - rounding_m, all.back() + rounding_m, all,
-                      "the product", held);
+  if (!asked.z && own.empty()) return all;
+  std::vector<double> levels;
+  levels.reserve(own.size());
+  for (const Vertex& point : own) levels.push_back(point.vertical);
+  if (std::any_of(levels.begin(), levels.end(), [&](double z) { return is_held(z, all); }))
+    return levels;
+  return levels_asked(asked.z ? *asked.z : formatted("{}", levels.front()),
+                      all.front() - same_level_m, all.back() + same_level_m, all, "the product",
+                      levels_text(product, all));
 }
 
 /// Places of the answer, and how they become coverages.
@@ -118,6 +195,7 @@ struct Places {
   std::vector<double> latitude_deg;
   std::vector<std::size_t> cell;  ///< of a grid: which cell each point is
   bool is_grid = false;
+  bool has_own_levels = false;  ///< as many levels as points, one each
 };
 
 GeoPoint point_of(double longitude_deg, double latitude_deg) {
@@ -128,7 +206,7 @@ ProductWindow window_of(const Asked& asked, const Box& box) {
   return {box.west_deg, box.south_deg, box.east_deg, box.north_deg, asked.from, asked.to};
 }
 
-/// The value `i` of a time, level and place, put where a coverage has it.
+/// How many times, levels and places values are of.
 struct Block {
   std::size_t times = 0;
   std::size_t levels = 0;
@@ -212,11 +290,18 @@ Answer filled(const Asked& asked, const ProductView& view, const Places& places,
               std::vector<UtcTime> times, std::vector<double> levels,
               std::vector<std::string> notes) {
   const StoredProduct& product = *asked.product;
-  ProductValues values = view.values(places.point, times, levels);
-  Block block{times.size(), std::max<std::size_t>(1, levels.size()), places.point.size()};
+  const bool has_own = places.has_own_levels;
+  ProductValues values =
+      view.values(places.point, times, levels,
+                  has_own ? ProductView::Levels::one_for_each : ProductView::Levels::all_at_each);
+  Block block{times.size(), has_own ? 1 : std::max<std::size_t>(1, levels.size()),
+              places.point.size()};
   if (!places.is_grid &&
-      absent(values, SampleStatus::land) == block.times * block.levels * block.places)
-    throw outside(product, "coords on land");
+      absent(values, SampleStatus::land) == block.times * block.levels * block.places) {
+    throw outside(product, formatted("coords at {:.5f} {:.5f} on land, as the product has it: ask "
+                                     "at a place in the water, or an area that reaches it",
+                                     places.longitude_deg.front(), places.latitude_deg.front()));
+  }
   if (!asked.z && block.levels > 1) {
     const std::size_t count = levels_with_values(values, block);
     cut_levels(values, block, count);
@@ -229,6 +314,11 @@ Answer filled(const Asked& asked, const ProductView& view, const Places& places,
   for (const std::size_t i : asked.parameters) answer.parameters.push_back(asked.all[i]);
   answer.notes = std::move(notes);
   add_notes(product, values, view.damaged(), answer.notes);
+  if (!std::all_of(levels.begin(), levels.end(),
+                   [&](double level) { return is_held(level, view.levels_m()); })) {
+    answer.notes.push_back("levels that the product does not reach have no value: it holds " +
+                           levels_text(product, view.levels_m()));
+  }
   answer.provenance.attributions = product.attributions;
   answer.provenance.product = ProductSource{product.product_id,
                                             product.dataset_id,
@@ -252,15 +342,17 @@ Answer filled(const Asked& asked, const ProductView& view, const Places& places,
     return answer;
   }
   for (std::size_t p = 0; p < places.point.size(); ++p) {
-    Coverage coverage = coverage_at(domain_at_point(times.size(), levels.size()),
+    Coverage coverage = coverage_at(domain_at_point(times.size(), has_own ? 1 : levels.size()),
                                     {places.longitude_deg[p]}, {places.latitude_deg[p]});
+    if (has_own) coverage.vertical_m = {levels[p]};
     for (const auto& each : all) coverage.values.push_back(of_place(each, block, p));
     answer.coverages.push_back(std::move(coverage));
   }
   return answer;
 }
 
-Answer at_points(const std::filesystem::path& store, const Asked& asked, const Path& points) {
+Answer at_points(const std::filesystem::path& store, const Asked& asked, const Path& points,
+                 bool have_own_levels) {
   const StoredProduct& product = *asked.product;
   Places places;
   Box box{1e9, 1e9, -1e9, -1e9};
@@ -280,10 +372,12 @@ Answer at_points(const std::filesystem::path& store, const Asked& asked, const P
   const ProductView view(store, product, window_of(asked, box));
   std::vector<std::string> notes;
   std::vector<UtcTime> times = times_of(asked, view, notes);
-  std::vector<double> levels = levels_of(asked, view);
-  static_cast<void>(moderate_work(
-      asked.parameters.size(),
-      points.size() * times.size() * std::max<std::size_t>(1, levels.size()), points.size()));
+  std::vector<double> levels = levels_of(asked, view, have_own_levels ? points : Path());
+  places.has_own_levels = have_own_levels && !levels.empty();
+  const std::size_t levels_each =
+      places.has_own_levels ? 1 : std::max<std::size_t>(1, levels.size());
+  static_cast<void>(moderate_work(asked.parameters.size(),
+                                  points.size() * times.size() * levels_each, points.size()));
   return filled(asked, view, places, std::move(times), std::move(levels), std::move(notes));
 }
 
@@ -319,6 +413,10 @@ Answer over(const std::filesystem::path& store, const Asked& asked, const AskedA
   const Box box = shared(shape.box, {held.west_deg, held.south_deg, east, held.north_deg});
   if (box.west_deg > box.east_deg || box.south_deg > box.north_deg)
     throw outside(product, "an area that the product does not reach");
+  const auto count_x = resolution_in(query, "resolution-x");
+  const auto count_y = resolution_in(query, "resolution-y");
+  if (count_x && count_y)
+    static_cast<void>(moderate_work(asked.parameters.size(), *count_x * *count_y, 1));
   const ProductView view(store, product, window_of(asked, box));
   std::vector<std::string> notes;
   std::vector<UtcTime> times = times_of(asked, view, notes);
@@ -387,9 +485,8 @@ Answer product_answer(const std::filesystem::path& store, const StoredProduct& p
   const Geometry geometry =
       parse_wkt("coords", coords, {GeometryType::point, GeometryType::multi_point});
   const Path& points = geometry.parts.front().front();
-  if (geometry.has_vertical && !asked.z && vertical_of(product) != Vertical::none)
-    asked.z = formatted("{}", points.front().vertical);
-  return at_points(store, asked, points);
+  return at_points(store, asked, points,
+                   geometry.has_vertical && !asked.z && vertical_of(product) != Vertical::none);
 }
 
 Answer product_answer_at(const std::filesystem::path& store, const StoredProduct& product,
@@ -397,7 +494,7 @@ Answer product_answer_at(const std::filesystem::path& store, const StoredProduct
   Vertex at;
   at.longitude_deg = place.longitude_deg();
   at.latitude_deg = place.latitude_deg();
-  return at_points(store, asked_of(product, query), {at});
+  return at_points(store, asked_of(product, query), {at}, false);
 }
 
 }  // namespace slackwater::api::edr

@@ -7,7 +7,8 @@
 namespace slackwater::api::edr {
 
 /// The answer of a stored product to position, radius, area or cube: at its own times, levels and,
-/// of areas, cells. An instant between its times is answered at the nearest, which a note says.
+/// of areas, cells. An instant is answered by the mean that holds it, or at the nearest of the
+/// instants around it, which a note says; in a gap of its times not at all.
 /// Reads files, and so always takes long.
 /// @param store  the store's folder
 /// @throws Error(usage) for what cannot be read or is too much; Error(not_found), with what the

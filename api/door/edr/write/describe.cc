@@ -1,7 +1,7 @@
 #include "api/door/edr/write/describe.h"
 
-#include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 
 #include "api/door/edr/write/json_text.h"
@@ -73,6 +73,24 @@ void append_product_provenance(std::string& out, const Answer& answer) {
   out += ',';
   append_member(out, "code_version", code_version());
   out += '}';
+}
+
+/// A header stays short: of many runs it says how many, and from when to when.
+std::string runs_text(const std::vector<std::string>& runs) {
+  constexpr std::size_t most_named = 8;
+  if (runs.size() <= most_named) return joined(runs, "; ");
+  constexpr std::string_view forecast = "forecast of ";
+  std::vector<std::string> told;
+  std::vector<std::string> times;
+  for (const std::string& run : runs) {
+    if (run.starts_with(forecast)) {
+      times.push_back(run.substr(forecast.size()));
+    } else {
+      told.push_back(run);
+    }
+  }
+  told.push_back(counted(times.size(), "forecast") + ", " + times.front() + " to " + times.back());
+  return joined(told, "; ");
 }
 
 std::string header_value(std::string_view text) {
@@ -149,29 +167,26 @@ std::vector<std::string> provenance_fields() {
 
 std::vector<std::pair<std::string, std::string>> provenance_headers(const Answer& answer) {
   const Provenance& from = answer.provenance;
-  std::array<std::string, provenance_names.size()> values{from.site_id,
-                                                          from.instance,
-                                                          format_utc(from.issued),
-                                                          format_day(from.day),
-                                                          from.degraded ? "true" : "false",
-                                                          from.headline,
-                                                          joined(from.attributions, "; "),
-                                                          from.code_version,
-                                                          joined(answer.notes, "; "),
-                                                          "",
-                                                          "",
-                                                          ""};
+  std::map<std::string_view, std::string> values;
   if (from.product) {
-    std::fill_n(values.begin(), 6, "");
-    values[7] = code_version();
-    values[9] = from.product->product_id;
-    values[10] = from.product->dataset_id;
-    values[11] = joined(from.product->runs, "; ");
+    values["Slackwater-Product"] = from.product->product_id;
+    values["Slackwater-Dataset"] = from.product->dataset_id;
+    values["Slackwater-Runs"] = runs_text(from.product->runs);
+    values["Slackwater-Version"] = code_version();
+  } else {
+    values["Slackwater-Site"] = from.site_id;
+    values["Slackwater-Instance"] = from.instance;
+    values["Slackwater-Issued"] = format_utc(from.issued);
+    values["Slackwater-Day"] = format_day(from.day);
+    values["Slackwater-Degraded"] = from.degraded ? "true" : "false";
+    values["Slackwater-Headline"] = from.headline;
+    values["Slackwater-Version"] = from.code_version;
   }
+  values["Slackwater-Attribution"] = joined(from.attributions, "; ");
+  values["Slackwater-Note"] = joined(answer.notes, "; ");
   std::vector<std::pair<std::string, std::string>> headers;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!values[i].empty()) headers.emplace_back(provenance_names[i], header_value(values[i]));
-  }
+  for (const char* name : provenance_names)
+    if (!values[name].empty()) headers.emplace_back(name, header_value(values[name]));
   return headers;
 }
 

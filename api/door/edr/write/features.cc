@@ -1,6 +1,8 @@
 #include "api/door/edr/write/features.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "api/door/edr/write/example_query.h"
 #include "api/door/edr/write/feature_page.h"
@@ -11,6 +13,9 @@ namespace slackwater::api::edr {
 namespace {
 
 using nlohmann::json;
+
+/// An archive of years is more than one answer may hold.
+constexpr Duration shown_of_product = std::chrono::days(7);
 
 std::string name_of_column(const std::string& site, std::size_t column) {
   return column == 0 ? site : site + "." + std::to_string(column);
@@ -42,20 +47,26 @@ slackwater::BoundingBox box_of(const ForecastCatalogue& catalogue, const std::st
   return {-180, -90, 180, 90};
 }
 
-/// @param title  of the values that are there as CSV; empty: there are none
+/// Values that are there as CSV.
+struct CsvLink {
+  std::string title;
+  std::string query;  ///< behind "?f=csv"
+};
+
 json location(const std::string& at, const Snapshot& snapshot, std::size_t c, UtcTime from,
-              UtcTime to, const json& names, const std::string& title) {
+              UtcTime to, const json& names, const std::optional<CsvLink>& csv) {
   const ForecastColumn& column = snapshot.columns[c];
   const std::string id = name_of_column(snapshot.site_id, c);
   const std::string label =
       c == 0 ? snapshot.site_name : snapshot.site_name + ", column " + std::to_string(c);
   const std::string endpoint = at + "/locations/" + percent_encoded(id);
   json links = json::array();
-  if (!title.empty())
-    links.push_back({{"href", endpoint + "?f=csv"},
+  if (csv) {
+    links.push_back({{"href", endpoint + "?f=csv" + csv->query},
                      {"rel", "data"},
                      {"type", "text/csv"},
-                     {"title", title + " as CSV"}});
+                     {"title", csv->title}});
+  }
   return {{"type", "Feature"},
           {"id", id},
           {"links", links},
@@ -93,12 +104,12 @@ json locations_document(const std::string& at, const Collection& collection,
     const UtcTime from = snapshot.time.front();
     const UtcTime to = snapshot.time.back();
     const json names = names_of(collection, snapshot.members);
-    const bool is_held = example_of(collection, *field).has_value();
+    std::optional<CsvLink> csv;
+    if (example_of(collection, *field)) csv = {collection.title + " as CSV", ""};
     for (std::size_t c = 0; c < snapshot.columns.size(); ++c) {
       const GeoPoint& point = snapshot.columns[c].point;
       if (!filter.takes(slackwater::box_of(point), from, to)) continue;
-      features.push_back(
-          location(at, snapshot, c, from, to, names, is_held ? collection.title : std::string()));
+      features.push_back(location(at, snapshot, c, from, to, names, csv));
     }
   }
   return feature_page(at + "/locations", filter, std::move(features));
@@ -109,6 +120,10 @@ json product_locations_document(const std::string& at, const StoredProduct& prod
   const FeatureFilter filter(query);
   json names = json::array();
   for (const Parameter& parameter : parameters_of(product)) names.push_back(parameter.name);
+  const std::string last_days = format_utc(std::max(product.from, product.to - shown_of_product)) +
+                                "/" + format_utc(product.to);
+  const CsvLink csv{"The last days of " + title_of(product) + " as CSV",
+                    "&datetime=" + percent_encoded(last_days)};
   json features = json::array();
   for (const auto& site : catalogue.sites) {
     const Snapshot& snapshot = site.field->snapshot();
@@ -117,8 +132,7 @@ json product_locations_document(const std::string& at, const StoredProduct& prod
       if (!product.bounds.contains(point) ||
           !filter.takes(slackwater::box_of(point), product.from, product.to))
         continue;
-      features.push_back(
-          location(at, snapshot, c, product.from, product.to, names, title_of(product)));
+      features.push_back(location(at, snapshot, c, product.from, product.to, names, csv));
     }
   }
   return feature_page(at + "/locations", filter, std::move(features));

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/door/edr/read/feature_filter.h"
+#include "api/door/edr/sample/product_collection.h"
 #include "api/door/edr/sample/queries.h"
 #include "api/door/edr/write/example_query.h"
 #include "api/door/edr/write/openapi_parts.h"
@@ -37,10 +38,12 @@ json fitted(json needed, const std::string& name, std::string_view query, const 
   return needed;
 }
 
+/// @param of_forecasts  the path parameters of queries that stored products do not take
 void add_queries(json& paths, const json& all, const Example& example, const std::string& at,
-                 const json& fixed, const std::string& of, const char* tag) {
+                 const json& fixed, const json& of_forecasts, const std::string& of,
+                 const char* tag) {
   for (const QueryType& type : query_types()) {
-    json list = fixed;
+    json list = is_for_products(type.name) ? fixed : of_forecasts;
     for (std::size_t i = 0; i < type.parameters.size(); ++i) {
       const std::string name(type.parameters[i]);
       // A collection without a vertical has no use for the z of a cube.
@@ -64,7 +67,8 @@ void add_queries(json& paths, const json& all, const Example& example, const std
 json paths_of(const json& all, const Example& example) {
   const json none = json::array();
   const json collection = with(none, {"collectionId"});
-  const json instance = with(collection, {"instanceId"});
+  const json forecasts = with(none, {"forecastCollectionId"});
+  const json instance = with(forecasts, {"instanceId"});
   const json f = with(none, {"document-f"});
   const char* capabilities = "Capabilities";
   const char* queries = "Collection data queries";
@@ -83,19 +87,19 @@ json paths_of(const json& all, const Example& example) {
        operation("get_collections", "Collections", "Collection metadata", f, "Collections")}};
   paths[at] = operation("get_collection", "A collection over the forecasts in force",
                         "Collection metadata", with(collection, {"document-f"}), "Collection");
-  add_queries(paths, all, example, at, collection, "", queries);
+  add_queries(paths, all, example, at, collection, forecasts, "", queries);
   paths[at + "/items"] = operation(
       "get_items", "Issued forecasts as features", queries,
-      with(collection, {"bbox", "datetime", "limit", "offset", "features-f"}), "FeatureCollection");
+      with(forecasts, {"bbox", "datetime", "limit", "offset", "features-f"}), "FeatureCollection");
   paths[at + "/items/{itemId}"] = operation("get_item", "An issued forecast as a feature", queries,
-                                            with(collection, {"itemId", "features-f"}), "Feature");
+                                            with(forecasts, {"itemId", "features-f"}), "Feature");
   paths[at + "/instances"] =
       operation("get_instances", "Issued forecasts, newest first", "Instance metadata",
-                with(collection, {"document-f"}), "Instances");
+                with(forecasts, {"document-f"}), "Instances");
   paths[at + "/instances/{instanceId}"] =
       operation("get_instance", "One issued forecast", "Instance metadata",
                 with(instance, {"document-f"}), "Collection");
-  add_queries(paths, all, example, at + "/instances/{instanceId}", instance, "instance_",
+  add_queries(paths, all, example, at + "/instances/{instanceId}", instance, instance, "instance_",
               "Instance data queries");
   return paths;
 }

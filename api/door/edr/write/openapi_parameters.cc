@@ -106,6 +106,7 @@ json openapi_parameters(const Example& example, const ForecastCatalogue& catalog
   const double y = example.latitude_deg;
   std::vector<std::string> ids;
   for (const Collection& collection : collections()) ids.push_back(collection.id);
+  const std::vector<std::string> of_forecasts = ids;
   for (const StoredProduct& product : *catalogue.products) ids.push_back(product.id);
   json all = {
       {"coords", query_parameter("coords", "Well Known Text, longitude before latitude", text(),
@@ -127,6 +128,9 @@ json openapi_parameters(const Example& example, const ForecastCatalogue& catalog
            json::array({"eastward_sea_water_velocity", "northward_sea_water_velocity"}))},
       {"collectionId",
        path_parameter("collectionId", "One of /collections", one_of(ids), "currents")},
+      {"forecastCollectionId",
+       path_parameter("collectionId", "One of /collections that is no stored product",
+                      one_of(of_forecasts), "currents")},
       {"instanceId", path_parameter("instanceId", "One of the collection's /instances", text(),
                                     example.instance)},
       {"locationId",

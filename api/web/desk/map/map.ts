@@ -6,12 +6,22 @@ import type { SiteMap } from '../server/answers';
 import { words_of } from '../look/top';
 import { Refused } from '../server/server';
 import type { Place } from '../view';
+import type { Box } from './cells';
+import { cells_layer } from './cells_layer';
 import { coast_path, fetch_coast } from './coast';
 import { column_table } from './column_table';
 import { fetch_field, weather_at, type Field, type Weather } from './field';
 import { listen_to_hands } from './hands';
 import { legend, type Shown } from './legend';
-import { fit, place_at, projection_of, scale_bar, zoomed, type Camera } from './projection';
+import {
+  fit,
+  place_at,
+  projection_of,
+  scale_bar,
+  zoomed,
+  type Camera,
+  type Size,
+} from './projection';
 import { draw_place, draw_things, draw_water, screen } from './scene';
 import { depth_choice, place_choice } from './tools';
 
@@ -31,6 +41,7 @@ export function mapPart(desk: Desk): HTMLElement {
 
   const coast = drawn('path', { class: 'land' });
   const [things, water, place] = [drawn('g'), drawn('g', { class: 'water' }), drawn('g')];
+  const cells = cells_layer(desk);
   const aim = drawn('path', { class: 'aim', d: 'M-9,0 H9 M0,-9 V9' });
   const bar = drawn('g', { class: 'scale-bar' });
   const picture = drawn(
@@ -43,7 +54,7 @@ export function mapPart(desk: Desk): HTMLElement {
         'Map, north up. Arrow keys move it, plus and minus zoom, 0 shows all, Enter takes the ' +
         'place in the middle. The table of columns says the same in words.',
     },
-    ...[coast, things, water, place, aim, bar],
+    ...[coast, things, cells.node, water, place, aim, bar],
   );
   const says = element('p', { class: 'map-says', role: 'status', hidden: true });
   /** Where to look while the site is not described yet. */
@@ -56,6 +67,7 @@ export function mapPart(desk: Desk): HTMLElement {
 
   const table = column_table(desk, () => site, weather);
   const signs = legend(desk, shown, () => draw());
+  signs.node.querySelector('.note')?.before(cells.legend);
   const depth = depth_choice(desk);
   const where = place_choice(desk);
 
@@ -64,6 +76,7 @@ export function mapPart(desk: Desk): HTMLElement {
     if (site === null) water.replaceChildren();
     if (site === null || size.width < 2) return;
     const to = projection_of(camera(), size);
+    cells.draw(to, box_of(camera(), size));
     draw_water(water, site, to, shown, look, weather);
     signs.say(
       weather(site.columns[0] ?? { longitude_deg: NaN, latitude_deg: NaN }).current_depth_m,
@@ -73,10 +86,7 @@ export function mapPart(desk: Desk): HTMLElement {
     if (size.width < 2) return;
     const from = camera();
     const to = projection_of(from, size);
-    const { longitude_deg: west, latitude_deg: north } = place_at(from, size, 0, 0);
-    const corner = place_at(from, size, size.width, size.height);
-    const box = { west, north, east: corner.longitude_deg, south: corner.latitude_deg };
-    coast.setAttribute('d', coast_path(to, box));
+    coast.setAttribute('d', coast_path(to, box_of(from, size)));
     if (site === null) things.replaceChildren();
     else draw_things(things, site, to, shown.names, look, seen_ms);
     draw_place(place, view.values.place ?? site?.place ?? null, to);
@@ -145,6 +155,7 @@ export function mapPart(desk: Desk): HTMLElement {
       if (site === null) say(`The map has no data: ${problem.detail}`);
     }
     draw();
+    void cells.load();
     void load_coast(); // last: it weighs more than all the rest
   };
 
@@ -192,13 +203,20 @@ export function mapPart(desk: Desk): HTMLElement {
   return element(
     'div',
     { class: 'map' },
-    element('div', { class: 'map-tools' }, depth.node, where.node, buttons),
-    element('div', { class: 'map-view' }, picture, says, signs.node),
+    element('div', { class: 'map-tools' }, depth.node, where.node, cells.choice, buttons),
+    element('div', { class: 'map-view' }, picture, says, cells.says, signs.node),
     table.node,
+    cells.table,
   );
 }
 
 const in_force = (site: SiteMap | null): string => site?.forecast?.instance ?? '';
+
+function box_of(from: Camera, size: Size): Box {
+  const { longitude_deg: west, latitude_deg: north } = place_at(from, size, 0, 0);
+  const corner = place_at(from, size, size.width, size.height);
+  return { west, north, east: corner.longitude_deg, south: corner.latitude_deg };
+}
 
 function places_of(site: SiteMap | null, place: Place | null): Place[] {
   const of_points = (points: [number, number][]): Place[] =>

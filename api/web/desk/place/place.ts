@@ -11,6 +11,7 @@ import { Refused } from '../server/server';
 import { depth_time_chart } from './depth_time_chart';
 import { facts_of, level_table } from './facts';
 import { hodograph_chart } from './hodograph_chart';
+import { modelsPart } from './models_part';
 import { tide_series, wave_series, wind_series } from './over_time';
 import { largest_m_s, profile_at, type Level } from './profile';
 import { profile_chart, type Shown } from './profile_chart';
@@ -202,6 +203,7 @@ export function placePart(desk: Desk): HTMLElement {
     facts,
     slackPart(desk),
     ...nodes,
+    modelsPart(desk),
   );
 }
 

@@ -43,7 +43,7 @@ export async function fetch_water(
   return { currents, wind, waves, tide };
 }
 
-async function told(server: Server, query: string): Promise<Told> {
+export async function told(server: Server, query: string): Promise<Told> {
   try {
     const [column] = await server.columns(query);
     if (column !== undefined && column.times_ms.length > 0) return { column, refused: null };

@@ -17,12 +17,10 @@ export class Asked {
   constructor(private readonly fetch_json: (path: string) => Promise<unknown>) {}
 
   get<T>(path: string): Promise<T> {
+    this.drop_old();
     const known = this.kept.get(path);
-    if (known !== undefined && !(Date.now() - known.since_ms > KEPT_MS)) {
-      return known.answer as Promise<T>;
-    }
+    if (known !== undefined) return known.answer as Promise<T>;
     const made: Kept = { answer: this.fetch_json(path), since_ms: Infinity };
-    this.kept.delete(path); // so that the oldest stands first
     this.kept.set(path, made);
     for (const oldest of this.kept.keys()) {
       if (this.kept.size <= MOST_KEPT) break;
@@ -39,5 +37,11 @@ export class Asked {
   }
   forget(): void {
     this.kept.clear();
+  }
+
+  private drop_old(): void {
+    for (const [path, { since_ms }] of this.kept) {
+      if (Date.now() - since_ms > KEPT_MS) this.kept.delete(path);
+    }
   }
 }

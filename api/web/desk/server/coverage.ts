@@ -68,7 +68,10 @@ function strides(range: NdArray): Record<'t' | 'z' | 'y' | 'x', number> {
   return found;
 }
 
-/** Of the column's times the one nearest to a moment; -1 where the moment is outside of them. */
+/**
+ * Of the column's times the one nearest to a moment; -1 where the moment is outside of them. Of two
+ * as near the later, as the server chooses: means stand in the middle of hours, and one begins.
+ */
 export function time_index(column: Column, at_ms: number): number {
   const { times_ms } = column;
   const first = times_ms[0] ?? Infinity;
@@ -78,7 +81,7 @@ export function time_index(column: Column, at_ms: number): number {
   if (!(at_ms >= first - step / 2 && at_ms <= last + step / 2)) return -1;
   return times_ms.reduce(
     (best, time, i) =>
-      Math.abs(time - at_ms) < Math.abs((times_ms[best] ?? 0) - at_ms) ? i : best,
+      Math.abs(time - at_ms) <= Math.abs((times_ms[best] ?? 0) - at_ms) ? i : best,
     0,
   );
 }

@@ -8,6 +8,7 @@ import {
 } from './answers';
 import { Asked, type Ask } from './asked';
 import { read_coverages, type Column } from './coverage';
+import { Token } from './token';
 
 const LOOK_AGAIN_MS = 30_000;
 const TRY_AGAIN_MS = 3_000;
@@ -34,6 +35,7 @@ export class Server {
   sites: Sites | null = null;
   /** By the server's clock: when it last told its sites. */
   heard_ms: number | null = null;
+  readonly token = new Token();
   private readonly asked: Asked;
   private server_ahead_ms = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -87,12 +89,19 @@ export class Server {
   get<T>(path: string): Promise<T> {
     return this.asked.get<T>(path);
   }
+  /** With the token, where one was given. Throws Refused: of status 401 where one is wanting. */
   async post<T>(path: string, body: unknown): Promise<T> {
-    return this.fetch_json<T>(path, {
-      method: 'POST',
-      headers: { 'Content-Type': 'application/json' },
-      body: JSON.stringify(body),
-    });
+    const { headers } = this.token;
+    try {
+      return await this.fetch_json<T>(path, {
+        method: 'POST',
+        headers: { 'Content-Type': 'application/json', ...headers },
+        body: JSON.stringify(body),
+      });
+    } catch (problem) {
+      if (!(problem instanceof Refused) || problem.status !== 401) throw problem;
+      throw new Refused(401, this.token.refused(headers));
+    }
   }
 
   async site(id: string): Promise<SiteMap> {

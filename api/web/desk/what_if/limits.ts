@@ -8,6 +8,7 @@ export interface Limit {
   variable: string; // as the sheet names it: "significant_wave_height_m"
   value: number;
   phases: string[]; // none: all
+  at_depth_m: number | null; // where the sheet names it
 }
 
 /** In the order of the sheet. */
@@ -39,11 +40,20 @@ function limit_in(item: YAMLMap, path: Path, role: string): Limit | null {
   for (const { key, value } of item.items) {
     if (!isScalar(key) || !isScalar(value) || typeof value.value !== 'number') continue;
     const variable = String(key.value);
+    if (/^(at|heading)_/.test(variable)) continue; // where, or how she lies
     const phases = item.get('phases');
+    const depth = item.get('at_depth_m');
     const named = isSeq(phases)
       ? phases.items.map((it) => String(isScalar(it) ? it.value : it))
       : [];
-    return { path: [...path, variable], role, variable, value: value.value, phases: named };
+    return {
+      path: [...path, variable],
+      role,
+      variable,
+      value: value.value,
+      phases: named,
+      at_depth_m: typeof depth === 'number' ? depth : null,
+    };
   }
   return null;
 }

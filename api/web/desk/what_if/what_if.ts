@@ -2,15 +2,15 @@
 // server works it out and keeps nothing.
 import type { Answer } from '../decide/answer';
 import type { Plan, Windows } from '../decide/answers';
-import { Section, refusal_text } from '../decide/section';
+import { Section } from '../decide/section';
 import type { Desk } from '../look/desk';
 import { button, element } from '../../look/element';
-import { Refused } from '../server/server';
+import { or_token_form } from '../server/token_form';
 import { Draft, type Texts } from './draft';
 import { fields } from './fields';
 import { changed_files, command_lines, save } from './files';
-import { limit_words, limits_of, type Limit } from './limits';
-import { history_limit, price_table, workability_query, type Workability } from './price';
+import { limits_of, type Limit } from './limits';
+import { price_of } from './price';
 import { result, type WhatIf } from './result';
 
 const WAIT_MS = 300; // for the next key
@@ -25,7 +25,7 @@ class WhatIfPanel {
   private draft: Draft | null = null;
   private original: Draft | null = null;
   private task = '';
-  private priced: Limit | null = null;
+  private priced: { task: string; limit: Limit } | null = null;
   private asking: Draft | null = null; // whose question is under way
   private is_outdated = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -47,6 +47,7 @@ class WhatIfPanel {
     desk.onChange((changed) => {
       if (changed.has('site')) this.begin();
       else if (changed.has('forecast') || changed.has('clock')) this.work_out();
+      else if (changed.has('depth_m')) this.work_out_price();
     });
     this.begin();
   }
@@ -102,7 +103,7 @@ class WhatIfPanel {
             made.querySelector('select')?.focus();
           },
           changed: (limit) => {
-            if (limit !== undefined) this.priced = limit;
+            if (limit !== undefined) this.priced = { task: this.task, limit };
             clearTimeout(this.timer);
             this.timer = setTimeout(() => this.work_out(), WAIT_MS);
           },
@@ -121,8 +122,13 @@ class WhatIfPanel {
       return;
     }
     void this.ask_latest(draft);
-    if (this.priced !== null) void this.price.show(this.priced_at(this.task, this.priced));
+    this.work_out_price();
     void this.files.show(Promise.resolve(this.saved(draft)));
+  }
+
+  private work_out_price(): void {
+    if (this.priced === null) return;
+    void this.price.show(this.priced_at(this.priced.task, this.priced.limit));
   }
 
   /** One question at a time; of what is changed meanwhile the last is asked next. */
@@ -133,7 +139,8 @@ class WhatIfPanel {
       return;
     }
     this.asking = draft;
-    await this.outcome.show(this.ask(draft));
+    const again = (): void => this.work_out();
+    await this.outcome.show(this.ask(draft).catch(or_token_form(this.desk.server, again)));
     if (this.asking !== draft) return;
     this.asking = null;
     if (this.is_outdated) this.work_out();
@@ -157,30 +164,16 @@ class WhatIfPanel {
     const before = limits_of(this.original?.task(task) ?? '').find(
       (it) => it.path.join('.') === limit.path.join('.'),
     );
-    const { name, unit } = limit_words(limit.variable);
-    const [was, is] = [before?.value ?? limit.value, limit.value];
-    const today = history_limit(limit.variable, was);
-    const changed = history_limit(limit.variable, is);
-    if (today === null || changed === null) {
-      return element('p', {}, `No history of a site tells of "${name}": its price is not known.`);
-    }
     const windows = await this.get<Windows>('/windows');
     const of = windows.body.tasks.find((it) => it.task === task);
-    const query = (text: string): string =>
-      workability_query(text, of?.duration_h ?? 1, of?.contingency_h ?? 0);
-    try {
-      const [a, b] = await Promise.all([
-        this.get<Workability>(query(today)),
-        this.get<Workability>(query(changed)),
-      ]);
-      return price_table(a, b, [`${name} ${was} ${unit}`, `${name} ${is} ${unit}`]);
-    } catch (problem) {
-      const is_absent = problem instanceof Refused && [404, 501, 503].includes(problem.status);
-      const what = is_absent
-        ? 'The site has no history that tells the price of this limit'
-        : 'The price could not be worked out';
-      return element('p', {}, `${what}: ${refusal_text(problem)}`);
-    }
+    return price_of((path) => this.get(path), {
+      site: this.desk.view.values.site,
+      limit,
+      was: before?.value ?? limit.value,
+      shown_depth_m: this.desk.view.values.depth_m,
+      duration_h: of?.duration_h ?? 1,
+      contingency_h: of?.contingency_h ?? 0,
+    });
   }
 
   private saved(draft: Draft): HTMLElement {

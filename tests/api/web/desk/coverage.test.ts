@@ -87,6 +87,7 @@ test('AnHourOutsideOfTheValuesHasNone', () => {
   const first = COLUMN.times_ms[0] ?? 0;
   expect(time_index(COLUMN, first)).toBe(0);
   expect(time_index(COLUMN, first + 35 * 60_000)).toBe(1);
+  expect(time_index(COLUMN, first + 30 * 60_000)).toBe(1);
   expect(time_index(COLUMN, first - 3_600_000)).toBe(-1);
   expect(time_index(COLUMN, first + 3 * 3_600_000)).toBe(-1);
   expect(time_index(COLUMN, NaN)).toBe(-1);

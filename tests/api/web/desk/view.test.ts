@@ -8,6 +8,7 @@ const FULL: ViewValues = {
   place: { longitude_deg: -2.5405, latitude_deg: 48.8509 },
   panel: 'what_if',
   map: { longitude_deg: -2.6, latitude_deg: 48.7, zoom: 9.25 },
+  cells: 'product-of_somebody/x',
   palette: 'night',
   speed: 'knots',
   clock: 'site',

@@ -32,14 +32,16 @@ const draft = (plan: string | null = PLAN): Draft =>
 
 test('TheLimitsOfASheetAreFoundWithTheirPlaces', () => {
   expect(
-    limits_of(SHEET).map(({ role, variable, value, phases }) => [role, variable, value, phases]),
+    limits_of(SHEET).map((it) => [it.role, it.variable, it.value, it.phases, it.at_depth_m]),
   ).toEqual([
-    ['surveyor', 'significant_wave_height_m', 1.5, []],
-    ['surveyor', 'current_speed_m_s', 0.5, ['transit', 'work']],
-    ['surveyor', 'least_visibility_m', 500, []],
+    ['surveyor', 'significant_wave_height_m', 1.5, [], null],
+    ['surveyor', 'current_speed_m_s', 0.5, ['transit', 'work'], 2],
+    ['surveyor', 'least_visibility_m', 500, [], null],
   ]);
   expect(limits_of('id: none\n')).toEqual([]);
   expect(limits_of('')).toEqual([]);
+  const where_first = 'limits: [{at_depth_m: 3, current_speed_m_s: 0.4}]\n';
+  expect(limits_of(where_first)).toMatchObject([{ variable: 'current_speed_m_s', at_depth_m: 3 }]);
   expect(limits_of('limits: [{wind_speed_10m_m_s: 12}]\n')[0]?.path).toEqual([
     'limits',
     0,

@@ -1,7 +1,6 @@
 // @vitest-environment happy-dom
 import { expect, test } from 'vitest';
 import { change_text, plan_changes, task_changes } from 'page/what_if/compare';
-import { days_text, history_limit, price_table, workability_query } from 'page/what_if/price';
 import { result } from 'page/what_if/result';
 import { answer, job, look, plan, start, windows, windows_task } from './decide_made';
 
@@ -86,33 +85,4 @@ test('WithoutAPlanTheReasonIsTold', () => {
     ).textContent ?? '';
   expect(of('no crew is left')).toContain('No plan: no crew is left');
   expect(of(null)).toContain('No plan: the site has none.');
-});
-
-test('ThePriceIsAskedAsTheHistoryCallsIt', () => {
-  expect(history_limit('significant_wave_height_m', 1.5)).toBe(
-    'sea_surface_wave_significant_height<=1.5 m',
-  );
-  expect(history_limit('deck_motion_m', 1.5)).toBeNull();
-  expect(workability_query('wind_speed<=8 m/s', 1.5, 0.5)).toBe(
-    '/workability?limit=wind_speed%3C%3D8+m%2Fs&duration=90min&contingency=30min',
-  );
-  expect(workability_query('wind_speed<=8 m/s', 2, 0)).toBe(
-    '/workability?limit=wind_speed%3C%3D8+m%2Fs&duration=120min',
-  );
-});
-
-test('ThePriceIsDaysOfEachMonth', () => {
-  expect(days_text(0.5, 4)).toBe('15.0 days (50 %)');
-  expect(days_text(null, 4)).toBe('–');
-  const history = (workability: number | null) => ({
-    first: '2025-03-03T00:00:00Z',
-    last: '2025-03-13T00:00:00Z',
-    source: 'site bay',
-    by_month: [{ month: 3, workability }],
-  });
-  const node = price_table(answer(history(0.5)), answer(history(null)), ['1.5 m', '2 m']);
-  expect([...(node.querySelector('tbody tr')?.children ?? [])].map((it) => it.textContent)).toEqual(
-    ['Mar', '15.5 days (50 %)', '–'],
-  );
-  expect(node.textContent).toContain('less than a year');
 });
