@@ -7,8 +7,9 @@
 file(READ ${LOOK}/palette.css palette)
 file(READ ${LOOK}/parts.css parts)
 set(tokens "[^{}]*")
-if(NOT palette MATCHES
-   "^(.*)(:root\\[data-palette='dusk'\\] {(${tokens})}\n:root\\[data-palette='night'\\] {${tokens}})\n$")
+set(dusk ":root\\[data-palette='dusk'\\] {(${tokens})}")
+set(night ":root\\[data-palette='night'\\] {${tokens}}")
+if(NOT palette MATCHES "^(.*)(${dusk}\n${night})\n$")
   message(FATAL_ERROR "found no dusk followed by night at the end of ${LOOK}/palette.css; expected "
                       ":root[data-palette='dusk'] {...} and :root[data-palette='night'] {...}")
 endif()
