@@ -67,7 +67,7 @@ TEST_F(ReportCommand, SaysOnOnePageWhatTheWindowsSay) {
         "A peek at a pile", "current at most 0.02 m/s", "class=\"go\"", "Its checksum",
         "Nothing was flown"})
     EXPECT_TRUE(contains(page, part)) << part;
-  EXPECT_LT(page.find("class=\"verdict go\""), page.find("class=\"verdict nogo\""))
+  EXPECT_LT(page.find("data-verdict=\"go\""), page.find("data-verdict=\"no-go\""))
       << "what can be done comes first";
   EXPECT_LT(page.find("id=\"gantt\""), page.find("id=\"answer\"")) << "the answer comes first";
 }

@@ -100,6 +100,8 @@ TEST_F(ServePages, EveryLinkOfEveryPageIsAnswered) {
               std::string::npos)
         << target;
     EXPECT_EQ(reply.body.find("<b>"), std::string::npos) << target;
+    EXPECT_NE(reply.body.find("/\">The desk</a>"), std::string::npos) << target;
+    EXPECT_EQ(reply.field("content-security-policy").find("default-src 'none'"), 0U) << target;
     for (const std::string& link : links_of(reply.body)) {
       std::smatch parts;
       const bool is_own = std::regex_match(link, parts, own) || link.starts_with("/");

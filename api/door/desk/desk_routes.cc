@@ -7,6 +7,7 @@
 #include "api/door/desk/history_answers.h"
 #include "api/door/desk/kept_answers.h"
 #include "api/door/desk/mission_jobs.h"
+#include "api/door/desk/report_page.h"
 #include "api/door/desk/site_answers.h"
 #include "api/door/desk/site_list.h"
 #include "api/door/desk/slack_answer.h"
@@ -129,6 +130,10 @@ void add_routes(http::Router& router, const DeskSettings& settings) {
       [settings](const Request& request, const PathParameters& path) -> Outcome {
         return json_response(slack_answer(*settings.forecasts, path.at("site"), request.query));
       });
+  router.add("GET", "/sites/{site}/report.html",
+             [settings](const Request&, const PathParameters& path) -> Outcome {
+               return report_page(path.at("site"), settings.store_folder, settings.freshness.now());
+             });
   router.add("GET", "/sites/{site}/texts",
              [from](const Request&, const PathParameters& path) -> Outcome {
                return json_response(texts_json(texts_of_site(path.at("site"), from.store_folder)));

@@ -77,6 +77,14 @@ json answer_of(const char* id, const char* summary, const char* like,
   return {{"get", operation(id, "Sites", summary, of_site(words), std::move(responses))}};
 }
 
+json report_page() {
+  json responses = refusals({"404"});
+  responses["200"] = {{"description", "One file, with style and script inside"},
+                      {"content", {{"text/html", {{"schema", text()}}}}}};
+  return {{"get", operation("get_report_page", "Sites", "The page of the report that was made last",
+                            of_site({}), std::move(responses))}};
+}
+
 json guarded(json operation) {
   operation["responses"]["401"] =
       refused_for("Neither from this machine nor with the token of --token-file");
@@ -158,6 +166,7 @@ json paths() {
                                   "slackwater windows --json", words_of_windows())},
       {at + "/report", answer_of("get_report", "Go or no-go, today and tomorrow",
                                  "slackwater report --json", words_of_windows())},
+      {at + "/report.html", report_page()},
       {at + "/plan", answer_of("get_plan", "What to do when", "slackwater plan --json",
                                {{"chance", "Take no start of a smaller probability", "0.5"},
                                 {"time-limit", "Of the search, s; at most 20", "5"},

@@ -6,6 +6,7 @@
 #include "api/ask/morning/morning.h"
 #include "api/ask/plan/plan_file.h"
 #include "api/ask/rehearse/mission_file.h"
+#include "api/door/desk/report_page.h"
 #include "api/program/paths.h"
 #include "fields/base/attempt.h"
 #include "fields/base/error.h"
@@ -84,7 +85,10 @@ json site_line(const SiteState& state, const ForecastCatalogue& catalogue,
           {"status", name_of(state.condition)},
           {"in_words", beside(in_words(state, freshness), trouble)},
           {"forecast", forecast_json(state)},
-          {"report", "/sites/" + state.site_id + "/report"}};
+          {"report", "/sites/" + state.site_id + "/report"},
+          {"report_page", report_page_of(state.site_id, store, freshness.now())
+                              ? json("/sites/" + state.site_id + "/report.html")
+                              : json(nullptr)}};
 }
 
 /// Of a site that the store describes, and has no forecast of.
@@ -99,7 +103,8 @@ json unforecast_line(const Site& site) {
            "--site " +
                site.id},
           {"forecast", nullptr},
-          {"report", nullptr}};
+          {"report", nullptr},
+          {"report_page", nullptr}};
 }
 
 json unreadable_line(const std::string& id, const std::string& trouble) {
@@ -110,7 +115,8 @@ json unreadable_line(const std::string& id, const std::string& trouble) {
           {"status", "no_forecast"},
           {"in_words", trouble},
           {"forecast", nullptr},
-          {"report", nullptr}};
+          {"report", nullptr},
+          {"report_page", nullptr}};
 }
 
 json turbine_json(const TurbinePlace& turbine) {

@@ -97,8 +97,8 @@ std::string picture_text(const Morning& morning, const TaskWindows& task) {
 std::string row(const Morning& morning, const TaskWindows& task, const Across& across,
                 const std::string& behind, std::size_t most_words) {
   const std::string_view verdict = twin::name_of(task.verdict);
-  std::string html = "<li><h3>" + escaped_html(task.name) + "</h3><p class=\"verdict " +
-                     std::string(verdict == "no-go" ? "nogo" : verdict) + "\">" +
+  std::string html = "<li><h3>" + escaped_html(task.name) +
+                     "</h3><p class=\"verdict\" data-verdict=\"" + std::string(verdict) + "\">" +
                      escaped_html(verdict_and_unchecked(task)) + "</p><p class=\"where\">" +
                      escaped_html(where_and_how_long(task)) + "</p>";
   html += "<div class=\"track\" role=\"img\" aria-label=\"Chance by start: " +
@@ -144,11 +144,11 @@ std::string picture(const Morning& morning, const std::string& id, std::size_t m
   for (const TaskWindows* task : by_verdict(morning))
     html += row(morning, *task, across, behind, most_words);
   for (const TaskLeftOut& one : morning.windows.left_out)
-    html +=
-        "<li><h3>" + escaped_html(one.task) +
-        "</h3><p class=\"verdict nogo\">unknown</p><div class=\"words\"><p>It could not be worked "
-        "out: " +
-        escaped_html(one.why) + "</p></div></li>\n";
+    html += "<li><h3>" + escaped_html(one.task) +
+            "</h3><p class=\"verdict\" data-verdict=\"unknown\">unknown</p><div "
+            "class=\"words\"><p>It could not be worked "
+            "out: " +
+            escaped_html(one.why) + "</p></div></li>\n";
   return html + "</ol>";
 }
 

@@ -219,8 +219,9 @@ std::string plots(bool is_inspected) {
   return "<p class=\"control\">" + choice_html("start", "Start") +
          choice_html("vehicle", "Vehicle") + "</p><p id=\"start-verdict\"></p>" +
          plot_html("timeline", "What it does, future by future",
-                   "A row a future of the forecast. Grey: on its way; green: at work; orange: "
-                   "holding; red: called home. Those not done stand at the top, with the cause.") +
+                   "A row a future of the forecast. Thin: on its way; full: at work; hollow: "
+                   "holding; half as high: called home. Those not done stand at the top, with the "
+                   "cause.") +
          plot_html("plan", "Plan",
                    "East and north of the origin (m). Solid: ways of futures that were done; "
                    "dotted: of others; circles: foundations; triangle: the top of a tether, thin "
@@ -230,9 +231,12 @@ std::string plots(bool is_inspected) {
                    "State of charge (%), P10 to P90 over the futures, and the charge at which it "
                    "has to turn for home: way home, its margin and the reserve.") +
          covered +
-         plot_html("current", "Current felt", "At the vehicle (m/s), P10 to P90; red: its limit.") +
-         plot_html("wind", "Wind felt", "Mean, at the vehicle (m/s), P10 to P90; red: its limit.") +
-         plot_html("waves", "Waves", "Significant wave height (m), P10 to P90; red: its limit.");
+         plot_html("current", "Current felt",
+                   "At the vehicle (m/s), P10 to P90; level line: its limit.") +
+         plot_html("wind", "Wind felt",
+                   "Mean, at the vehicle (m/s), P10 to P90; level line: its limit.") +
+         plot_html("waves", "Waves",
+                   "Significant wave height (m), P10 to P90; level line: its limit.");
 }
 
 std::string futures_text(const LoadedMission& mission, const RehearsalPlan& plan) {

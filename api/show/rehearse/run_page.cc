@@ -218,8 +218,8 @@ std::string choice_html() {
 std::string plots(bool has_missions) {
   return (has_missions
               ? plot_html("missions", "What they did",
-                          "A row a vehicle. Grey: on its way; green: at work; orange: holding; "
-                          "red: coming home. Marks: its events.")
+                          "A row a vehicle. Thin: on its way; full: at work; hollow: holding; "
+                          "half as high: coming home. Marks: its events.")
               : std::string()) +
          plot_html(
              "tracks", "Tracks from above",
@@ -228,10 +228,11 @@ std::string plots(bool has_missions) {
              "tether; grey shapes: structures; thin grey lines: other vessels.") +
          choice_html() +
          plot_html("charge", "Charge left",
-                   "Of the battery (%); red: what its mission keeps in reserve.") +
-         plot_html("felt", "Water and wind felt",
-                   "Speed of the water, current and waves, and of the wind at the vehicle (m/s). "
-                   "Red: its limits, which look at the forecast, without waves and gusts.") +
+                   "Of the battery (%); level line: what its mission keeps in reserve.") +
+         plot_html(
+             "felt", "Water and wind felt",
+             "Speed of the water, current and waves, and of the wind at the vehicle (m/s). "
+             "Level lines: its limits, which look at the forecast, without waves and gusts.") +
          "<details><summary>Signals: depth, attitude, thrust, power</summary>" +
          plot_html(
              "height", "Height and distance from the track",

@@ -98,12 +98,12 @@ void answer_current(const ReportSpeed& speed, const Span& span, ReportInput& pag
   page.answer.emplace_back("Strongest current",
                            speed_text(at, *strongest) + " at " +
                                moment(span, speed.time[*strongest]) +
-                               formatted(", towards {:03.0f}°", at.towards_deg[*strongest]));
+                               formatted(", to {:03.0f}°", at.towards_deg[*strongest]));
   std::string turns;
   for (const StrongestStream& stream : strongest_streams(speed, at)) {
     if (!span.holds(speed.time[stream.index])) continue;
     turns += (turns.empty() ? "" : ", ") + moment(span, speed.time[stream.index]) +
-             formatted(" towards {:03.0f}°", at.towards_deg[stream.index]);
+             formatted(" to {:03.0f}°", at.towards_deg[stream.index]);
   }
   if (!turns.empty()) page.answer.emplace_back("Tidal stream strongest", turns);
 }

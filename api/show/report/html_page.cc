@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "api/show/report/assets.h"
+#include "api/web/look/page_look.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -97,6 +98,7 @@ std::string page_html(const HtmlPage& page, std::string_view plotting_library) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
       escaped_html(page.title) + "</title>\n<style>\n";
+  out += web::page_look();
   out += report_style();
   out += printed_edges(page);
   out += "</style></head><body>\n" + header_html(page) + "<main>\n";

@@ -79,9 +79,9 @@ std::string links_line(const json& object) {
 /// A table whose cells know their column, for screens that are too narrow for it.
 std::string table(const std::vector<std::string>& columns,
                   const std::vector<std::vector<std::string>>& rows) {
-  std::string out = "<table><tr>";
+  std::string out = "<table><thead><tr>";
   for (const std::string& column : columns) out += "<th>" + column + "</th>";
-  out += "</tr>\n";
+  out += "</tr></thead>\n<tbody>";
   for (const auto& row : rows) {
     out += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -91,7 +91,7 @@ std::string table(const std::vector<std::string>& columns,
     }
     out += "</tr>\n";
   }
-  return out + "</table>\n";
+  return out + "</tbody></table>\n";
 }
 
 /// The page of what is listed: its own address.
@@ -103,14 +103,25 @@ std::string page_of(const json& listed) {
   return {};
 }
 
+/// As the desk says it.
+std::string status_words(const std::string& status) {
+  if (status == "ok") return "Forecast in force";
+  if (status == "degraded") return "Degraded";
+  if (status == "stale") return "Old forecast";
+  if (status == "hindcast") return "Of a past day";
+  if (status == "unreadable") return "Cannot be read";
+  return status;
+}
+
 std::string sites_of(const json& sites) {
   std::string out = "<h2>Sites</h2>\n";
   if (sites.empty())
     out += "<p>No forecast has been issued yet: run <code>slackwater forecast</code>.</p>\n";
   for (const json& site : sites) {
     const std::string word = escaped_at(site, "status");
-    out += "<section><h3>" + escaped_at(site, "title") + "</h3>\n<p><span class=\"word " + word +
-           "\">" + word + "</span> " + escaped_at(site, "description") +
+    out += "<section id=\"" + escaped_at(site, "id") + "\"><h3>" + escaped_at(site, "title") +
+           "</h3>\n<p><span class=\"badge status\" data-status=\"" + word + "\">" +
+           status_words(word) + "</span> " + escaped_at(site, "description") +
            "</p>\n<p>Newest forecast: " + escaped_at(site, "issued") + ", ending " +
            escaped_at(site, "valid_to") + ".</p>\n" + links_line(site) + "</section>\n";
   }
@@ -171,7 +182,7 @@ std::string queries_of(const json& queries) {
 std::string list_of(const json& listed) {
   std::string out;
   for (const json& entry : listed) {
-    out += "<section><h3>" + anchor(page_of(entry), text_at(entry, "title")) + "</h3>\n<p>" +
+    out += "<section><h2>" + anchor(page_of(entry), text_at(entry, "title")) + "</h2>\n<p>" +
            escaped_at(entry, "description") + "</p>";
     const auto extent = entry.find("extent");
     if (extent != entry.end() && extent->contains("temporal")) {
@@ -204,8 +215,8 @@ std::string features_of(const json& features) {
   for (const json& feature : features) {
     const std::string label = text_at(feature.at("properties"), "label");
     const std::string page = page_of(feature);
-    out += "<section><h3>" + (page.empty() ? escaped_html(label) : anchor(page, label)) +
-           "</h3>\n" + properties_of(feature) + (page.empty() ? links_line(feature) : "") +
+    out += "<section><h2>" + (page.empty() ? escaped_html(label) : anchor(page, label)) +
+           "</h2>\n" + properties_of(feature) + (page.empty() ? links_line(feature) : "") +
            "</section>\n";
   }
   return out.empty() ? "<p>None.</p>\n" : out;

@@ -1,7 +1,7 @@
 'use strict';
 // Draws the plots of `rehearse --html`.
 (() => {
-  const {data, palette, theme, fixed, valueAxis, chartOf, drawn, start: begin} = slackwaterPage;
+  const {data, theme, dashOf, doingBar, fixed, valueAxis, chartOf, drawn, start: begin} = slackwaterPage;
   if (!data.starts.length) return;
   const startChoice = document.getElementById('start');
   const vehicleChoice = document.getElementById('vehicle');
@@ -11,17 +11,14 @@
   const chosen = () => data.starts[Number(startChoice.value)];
   const vehicle = () => chosen().vehicles[Number(vehicleChoice.value)];
   const minutes = (sample) => sample * data.every_s / 60;
-  const night = () => window.matchMedia('(prefers-color-scheme: dark)').matches;
-  const colours = {way: '#8a9aa8', work: '#009e73', hold: '#e69f00', home: '#d55e00'};
-
-  const colourOf = ([, , phase, doing]) => (doing === 1 ? colours.hold : doing === 3 ? colours.home : phase === 2 && doing === 0 ? colours.work : colours.way);
+  const doingOf = ([, , phase, doing]) => (doing === 1 ? 'hold' : doing === 3 ? 'home' : phase === 2 && doing === 0 ? 'work' : 'way');
   const words = ['transit', 'launch', 'work', 'recovery', 'return'];
   const doings = ['', 'holding', 'going back to its work', 'called home'];
 
   const timelineOption = (t) => {
     const flights = [...vehicle().flights].sort((a, b) => a.done - b.done || a.member - b.member);
     const rows = flights.map((f) => `${f.member}${f.done ? '' : ` ${f.stopped_by}`}`);
-    const bars = flights.flatMap((f, row) => f.stretches.map((s) => ({value: [minutes(s[0]), minutes(s[1]), row], colour: colourOf(s),
+    const bars = flights.flatMap((f, row) => f.stretches.map((s) => ({value: [minutes(s[0]), minutes(s[1]), row], doing: doingOf(s),
       text: `future ${f.member}: ${s[3] === 0 ? words[s[2]] : doings[s[3]]}, ${fixed(minutes(s[0]), 0)} to ${fixed(minutes(s[1]), 0)} min`})));
     return {
       animation: false,
@@ -33,7 +30,7 @@
         const [x0, y] = api.coord([api.value(0), api.value(2)]);
         const [x1] = api.coord([api.value(1), api.value(2)]);
         const height = Math.min(40, Math.max(2, api.size([0, 1])[1] * 0.72));
-        return {type: 'rect', shape: {x: x0, y: y - height / 2, width: Math.max(1, x1 - x0), height}, style: {fill: bars[p.dataIndex].colour}};
+        return doingBar(t, bars[p.dataIndex].doing, x0, x1, y, height);
       }, encode: {x: [0, 1], y: 2}}],
     };
   };
@@ -67,9 +64,9 @@
         }},
         ...data.vessels.map((v) => ({name: v.name, type: 'line', symbolSize: 3, data: points(v), itemStyle: {color: t.quiet}, lineStyle: {color: t.quiet, width: 0.8}})),
         ...tethers.map((x) => ({name: 'tether', type: 'line', symbol: (_, p) => (p.dataIndex === 0 ? 'triangle' : 'none'), symbolSize: 12, data: [x.top, farthest(x)],
-          itemStyle: {color: palette[x.j % palette.length], borderColor: t.ink}, lineStyle: {color: palette[x.j % palette.length], width: 1, type: 'dashed'}})),
+          itemStyle: {color: t.of(x.j), borderColor: t.ink}, lineStyle: {color: t.of(x.j), width: 1, type: 'dashed'}})),
         ...lines.map((l) => ({name: l.name, type: 'line', symbol: 'none', data: l.points,
-          itemStyle: {color: palette[l.j % palette.length]}, lineStyle: {color: palette[l.j % palette.length], width: 1.3, opacity: 0.6, type: l.done ? 'solid' : 'dotted'}})),
+          itemStyle: {color: t.of(l.j)}, lineStyle: {color: t.of(l.j), width: 1.3, opacity: 0.6, type: l.done ? 'solid' : 'dotted'}})),
       ],
     };
   };
@@ -88,7 +85,7 @@
     const bound = vehicle().bounds[key];
     const lines = band(name, t.first, vehicle()[key]);
     if (bound !== undefined)
-      lines[2].markLine = {silent: true, symbol: 'none', lineStyle: {color: colours.home, type: 'solid', width: 1.5}, label: {color: colours.home, formatter: `limit ${bound}`, position: 'insideEndTop'}, data: [{yAxis: bound}]};
+      lines[2].markLine = {silent: true, symbol: 'none', lineStyle: {color: t.alarm, type: 'solid', width: 1.5}, label: {color: t.alarm, formatter: `limit ${bound}`, position: 'insideEndTop'}, data: [{yAxis: bound}]};
     return {
       animation: false,
       grid: {left: 70, right: 20, top: 20, bottom: 46},
@@ -105,7 +102,7 @@
     tooltip: {trigger: 'axis', formatter: (xs) => xs.filter((x) => !/P\d0$/.test(x.seriesName)).map((x) => `${x.seriesName} ${fixed(x.value[1], 0)} %`).join('<br>')},
     xAxis: valueAxis(t, 'minutes since the start', {min: 0, nameGap: 30}),
     yAxis: valueAxis(t, 'charge (%)', {min: 0, max: 100}),
-    series: [...band('charge left', t.first, vehicle().charge), ...band('charge needed', colours.home, vehicle().needed)],
+    series: [...band('charge left', t.first, vehicle().charge), ...band('charge needed', t.alarm, vehicle().needed)],
   });
 
   const coveredOption = (t) => {
@@ -131,7 +128,7 @@
   Object.entries(plots).forEach(([id, option]) => {
     const chart = chartOf(id);
     if (!chart) return;
-    drawn.push(() => chart.setOption({darkMode: night(), ...option(theme(), chart)}, true));
+    drawn.push(() => chart.draw(option(theme(), chart)));
   });
   const verdict = document.getElementById('start-verdict');
   drawn.push(() => { verdict.textContent = chosen().verdict; });

@@ -1,12 +1,12 @@
 'use strict';
 // Draws the report's plots with ECharts. Arrays over time x depth have depth fastest.
 (() => {
-  const {data, viridis, palette, theme, stamp, fixed, bearing, bearingText, timeAxis, valueAxis, arrow, edges, chartOf, drawn, start} = slackwaterPage;
+  const {data, theme, dashOf, onRamp, stamp, fixed, bearing, bearingText, timeAxis, valueAxis, arrow, edges, chartOf, drawn, start} = slackwaterPage;
 
-  const issuedLine = (t, times, position = 'insideEndTop') => (data.issued === undefined || data.issued < times[0] || data.issued > times[times.length - 1]
+  const issuedLine = (t, times, position = 'insideEndTop', halo = {}) => (data.issued === undefined || data.issued < times[0] || data.issued > times[times.length - 1]
     ? undefined
-    : {silent: true, symbol: 'none', lineStyle: {color: t.ink, type: 'dashed', width: 1.5},
-      label: {formatter: 'issued', color: t.ink, position}, data: [{xAxis: data.issued}]});
+    : {silent: true, symbol: 'none', lineStyle: {color: t.ink, type: 'dashed', width: 1.5, ...halo},
+      label: {formatter: 'issued', color: t.ink, textBorderColor: t.paper, textBorderWidth: 3, position}, data: [{xAxis: data.issued}]});
 
   const narrow = () => window.innerWidth < 600;
 
@@ -34,7 +34,7 @@
           renderItem: (_, api) => ({type: 'polygon', silent: true, shape: {points: high.concat(low.slice().reverse()).map((x) => api.coord(x))}, style: {fill: t.first, opacity: 0.25}})},
         {type: 'line', name: 'likely', data: points(at.likely), showSymbol: false, z: 3, lineStyle: {color: t.first, width: 2.4}, itemStyle: {color: t.first},
           markLine: issuedLine(t, time, 'insideEndBottom'),
-          markArea: {silent: true, itemStyle: {color: t.slack, opacity: 0.35}, data: at.slack.map(([from, to]) => [{xAxis: from}, {xAxis: to}])}},
+          markArea: {silent: true, itemStyle: {color: t.good, opacity: 0.18}, data: at.slack.map(([from, to]) => [{xAxis: from}, {xAxis: to}])}},
         {type: 'line', silent: true, data: [[time[0], below], [time[time.length - 1], below]], showSymbol: false, tooltip: {show: false}, z: 2, lineStyle: {color: t.quiet, type: 'dashed', width: 1.2}},
         {type: 'custom', silent: true, clip: false, z: 5, tooltip: {show: false}, encode: {x: 0, y: 1}, data: arrows,
           renderItem: (params, api) => arrow(api.coord([api.value(0), 0])[0], params.coordSys.y - 14, 17, api.value(2), t.quiet, 1.5)},
@@ -88,7 +88,7 @@
       yAxis: valueAxis(t, 'depth (m)', {inverse: true, min: 0, max: deepest * 1.06, splitLine: {show: false}, axisLabel: {color: t.quiet, showMaxLabel: false}}),
       visualMap: {type: 'continuous', min: 0, max: nice, dimension: 2, seriesIndex: 0, calculable: false, itemWidth: 16,
         ...(narrow() ? {orient: 'horizontal', left: 'center', top: 4, itemHeight: 150} : {right: 8, top: 'middle', itemHeight: 240}),
-        text: [`${nice.toFixed(1)} m/s`, '0 m/s'], textStyle: {color: t.ink}, inRange: {color: viridis}},
+        text: [`${nice.toFixed(1)} m/s`, '0 m/s'], textStyle: {color: t.ink}, inRange: {color: t.ramp}},
       series: [
         {type: 'custom', data: cells, dimensions: ['time', 'depth', 'speed', 'u', 'v', 'i', 'k'], encode: {x: 0, y: 1}, clip: true, progressive: 0,
           renderItem: (_, api) => {
@@ -97,17 +97,16 @@
             const b = api.coord([timeEdges[i][1], depthEdges[k][1]]);
             return {type: 'rect', shape: {x: a[0], y: a[1], width: b[0] - a[0] + 0.6, height: b[1] - a[1] + 0.6}, style: {fill: api.visual('color')}};
           },
-          markLine: issuedLine({...t, ink: '#ffffff'}, p.time, 'insideStartTop')},
+          markLine: issuedLine(t, p.time, 'insideStartTop', {shadowColor: t.paper, shadowBlur: 3})},
         {type: 'custom', silent: true, tooltip: {show: false}, dimensions: ['time', 'depth', 'speed', 'u', 'v', 'i', 'k'], encode: {x: 0, y: 1}, progressive: 0,
           data: cells.filter((c) => rows.has(c[6]) && c[5] % everyTime === Math.floor(everyTime / 2)),
           renderItem: (_, api) => {
             const [x, y] = api.coord([api.value(0), api.value(1)]);
             const speed = api.value(2);
-            const color = speed > 0.62 * nice ? '#16202b' : '#ffffff';
-            return arrow(x, y, 6 + 20 * speed / nice, bearing(api.value(3), api.value(4)), color, 1.5);
+            return arrow(x, y, 6 + 20 * speed / nice, bearing(api.value(3), api.value(4)), onRamp(t, speed / nice), 1.5);
           }},
-        {type: 'line', silent: true, data: [], markArea: {silent: true, itemStyle: {color: '#8a7a66'},
-          label: {show: true, position: 'inside', color: '#ffffff', fontSize: 11}, data: [[{yAxis: deepest, name: `bed, ${p.bed} m`}, {yAxis: deepest * 1.06}]]}},
+        {type: 'line', silent: true, data: [], markArea: {silent: true, itemStyle: {color: t.bed},
+          label: {show: true, position: 'inside', color: t.ink, fontSize: 11}, data: [[{yAxis: deepest, name: `bed, ${p.bed} m`}, {yAxis: deepest * 1.06}]]}},
       ],
     };
   };
@@ -144,7 +143,7 @@
         `${item.seriesName}, ${item.value[2]} m<br>east ${item.value[0].toFixed(3)}, north ${item.value[1].toFixed(3)} m/s<br>${Math.hypot(item.value[0], item.value[1]).toFixed(3)} m/s to ${bearingText(item.value[0], item.value[1])}`)},
       xAxis: axis('east (m/s)', e),
       yAxis: {...axis('north (m/s)', f), nameGap: 44},
-      visualMap: {show: false, dimension: 2, seriesIndex: 0, min: 0, max: Math.max(p.bed, 1), inRange: {color: viridis.slice(0, 9).reverse()}},
+      visualMap: {show: false, dimension: 2, seriesIndex: 0, min: 0, max: Math.max(p.bed, 1), inRange: {color: t.ramp}},
       series: [
         {name: 'forecast', type: 'scatter', data: forecast, symbolSize: 10, z: 4, itemStyle: {borderColor: t.ink, borderWidth: 1, color: t.first},
           label: {show: true, position: 'right', color: t.ink, fontSize: 11, textBorderColor: t.paper, textBorderWidth: 3, formatter: (item) => (item.dataIndex % every === 0 || item.dataIndex === forecast.length - 1 ? `${item.value[2]} m` : '')},
@@ -159,17 +158,17 @@
   const skillOption = (t) => {
     const leads = [...new Set(data.skill.map((r) => r.lead))];
     const methods = [...new Set(data.skill.map((r) => r.method))];
-    const color = (j) => (j === 0 ? t.first : palette[j % palette.length]);
     const row = (method, lead) => data.skill.find((r) => r.method === method && r.lead === lead);
     return {
       animation: false,
       grid: {left: 70, right: 20, top: 56, bottom: 44},
-      legend: {top: 0, left: 60, right: 10, textStyle: {color: t.ink}},
+      legend: {type: 'scroll', top: 0, left: 60, right: 10, textStyle: {color: t.ink}},
       tooltip: {trigger: 'item'},
+      aria: {enabled: true, label: {enabled: false}, decal: {show: true}},
       xAxis: {type: 'category', data: leads, name: 'lead', nameLocation: 'middle', nameGap: 28, nameTextStyle: {color: t.ink}, axisLabel: {color: t.ink}, axisLine: {lineStyle: {color: t.rule}}, axisTick: {show: false}},
       yAxis: valueAxis(t, 'vector RMSE (m/s), lower is better', {min: 0}),
       series: methods.map((method, j) => ({
-        name: method, type: 'bar', itemStyle: {color: color(j)}, barMaxWidth: 44, barGap: '12%',
+        name: method, type: 'bar', itemStyle: {color: t.of(j)}, barMaxWidth: 44, barGap: '12%',
         data: leads.map((lead) => { const r = row(method, lead); return r ? r.rmse : null; }),
         tooltip: {formatter: (x) => {
           const r = row(method, leads[x.dataIndex]);
@@ -219,7 +218,7 @@
       option.yAxis.push(valueAxis(t, panel.axis, {gridIndex: j, min: Math.floor(lowest), nameGap: narrow() ? 34 : 46}));
       const on = {xAxisIndex: j, yAxisIndex: j};
       panel.lines.forEach((line, l) => {
-        const color = line.truth ? t.truth : l === 0 ? t.first : palette[l % palette.length];
+        const color = line.truth ? t.truth : t.of(l);
         if (line.low.length) {
           const at = (edge) => time.map((ms, i) => [ms, edge[i]]).filter((x) => x[1] !== null);
           const high = at(line.high), low = at(line.low);
@@ -229,7 +228,7 @@
           option.series.push({type: 'line', ...on, silent: true, data: high, showSymbol: false, lineStyle: {opacity: 0}, tooltip: {show: false}});
         }
         option.series.push({type: 'line', ...on, name: line.name, data: time.map((ms, i) => [ms, line.values[i]]), showSymbol: false, z: line.truth ? 4 : 3,
-          lineStyle: {color, width: line.truth ? 1.6 : 2.4, type: line.truth ? 'dashed' : 'solid'}, itemStyle: {color},
+          lineStyle: {color, width: line.truth ? 1.6 : 2.4, type: line.truth ? 'dashed' : dashOf(l)}, itemStyle: {color},
           endLabel: {show: false}, markLine: l === 0 ? issuedLine(t, time) : undefined});
       });
       if (panel.towards.length) {
@@ -248,15 +247,15 @@
     const chart = chartOf('speed');
     const choice = document.getElementById('speed-depth');
     choice.value = String(data.speed.first);
-    drawn.push(() => chart.setOption(speedOption(theme(), Number(choice.value)), true));
+    drawn.push(() => chart.draw(speedOption(theme(), Number(choice.value))));
     choice.addEventListener('change', () => {
-      chart.setOption(speedOption(theme(), Number(choice.value)), true);
+      chart.draw(speedOption(theme(), Number(choice.value)));
       showSlack(Number(choice.value));
     });
   }
   if (data.profile) {
     const chart = chartOf('profile');
-    drawn.push(() => chart.setOption(profileOption(theme()), true));
+    drawn.push(() => chart.draw(profileOption(theme())));
     const slider = document.getElementById('hodograph-time');
     const label = document.getElementById('hodograph-label');
     slider.max = data.profile.time.length - 1;
@@ -265,14 +264,14 @@
     const draw = () => {
       const index = Number(slider.value);
       label.textContent = stamp(data.profile.time[index]);
-      whole.setOption(hodographOption(theme(), false, index), true);
-      spiral.setOption(hodographOption(theme(), true, index), true);
+      whole.draw(hodographOption(theme(), false, index));
+      spiral.draw(hodographOption(theme(), true, index));
     };
     slider.addEventListener('input', draw);
     drawn.push(draw);
   }
-  if (data.skill) { const chart = chartOf('skill'); drawn.push(() => chart.setOption(skillOption(theme()), true)); }
-  if (data.series) { const chart = chartOf('series'); drawn.push(() => chart.setOption(seriesOption(theme()), true)); }
+  if (data.skill) { const chart = chartOf('skill'); drawn.push(() => chart.draw(skillOption(theme()))); }
+  if (data.series) { const chart = chartOf('series'); drawn.push(() => chart.draw(seriesOption(theme()))); }
 
   start();
 })();

@@ -1,7 +1,7 @@
 'use strict';
 // Draws the plots of `simulate --html`.
 (() => {
-  const {data, palette, theme, fixed, stamp, valueAxis, chartOf, drawn, start} = slackwaterPage;
+  const {data, theme, dashOf, doingBar, fixed, stamp, valueAxis, chartOf, drawn, start} = slackwaterPage;
   if (!data.vehicles.length) return;
   const choice = document.getElementById('vehicle');
   choice.replaceChildren(...data.vehicles.map((v, i) => new Option(v.name, i)));
@@ -10,11 +10,11 @@
   const at = (seconds) => data.epoch + 1000 * seconds;
   const pairs = (values) => data.t.map((t, i) => [at(t), values[i]]);
   const speed = (parts) => parts[0].map((east, i) => (east === null ? null : Math.hypot(east, parts[1][i])));
-  const color = (j) => palette[j % palette.length];
   const points = (line) => line.x.map((x, i) => [x, line.y[i]]).filter((p) => p[0] !== null && p[1] !== null);
   const tethers = data.plan.map((plan, j) => ({top: plan.tether, j})).filter((x) => x.top);
 
   const margins = {left: 70, right: 20, top: 44, bottom: 50};
+  const begins = ['circle', 'rect', 'triangle', 'diamond'];
   /** Ranges about all that belongs to the run, a metre as long along both axes of this chart. */
   const mapRange = (chart) => {
     const all = [...data.vehicles.flatMap(points), ...data.plan.flatMap(points), ...tethers.map((x) => x.top),
@@ -42,8 +42,8 @@
     const whole = {color: t.quiet, hideOverlap: true, showMinLabel: false, showMaxLabel: false, formatter: (v) => (+v.toFixed(1)).toString()};
     const bare = {axisLine: {show: false, onZero: false}, axisTick: {show: false}};
     const planned = data.plan.map((plan, j) => ({name: 'planned', type: 'line', z: 2, symbol: 'diamond', symbolSize: 6, data: points(plan),
-      itemStyle: {color: color(j)}, lineStyle: {color: color(j), width: 1.2, type: 'dashed', opacity: 0.8}}));
-    const tops = tethers.map(({top, j}) => ({name: 'tether top', type: 'scatter', z: 4, symbol: 'triangle', symbolSize: 12, data: [top], itemStyle: {color: color(j), borderColor: t.ink}}));
+      itemStyle: {color: t.of(j)}, lineStyle: {color: t.of(j), width: 1.2, type: 'dashed', opacity: 0.8}}));
+    const tops = tethers.map(({top, j}) => ({name: 'tether top', type: 'scatter', z: 4, symbol: 'triangle', symbolSize: 12, data: [top], itemStyle: {color: t.of(j), borderColor: t.ink}}));
     return {
       animation: false,
       grid: margins,
@@ -59,8 +59,9 @@
         ...data.vessels.map((v) => ({name: v.name, type: 'line', showSymbol: true, symbolSize: 3, data: points(v),
           itemStyle: {color: t.quiet}, lineStyle: {color: t.quiet, width: 0.8}})),
         ...planned, ...tops,
-        ...data.vehicles.map((v, j) => ({name: v.name, type: 'line', z: 3, showSymbol: true, symbol: 'emptyCircle',
-          symbolSize: (_, p) => (p.dataIndex === 0 ? 12 : 0), data: points(v), itemStyle: {color: color(j)}, lineStyle: {color: color(j), width: 2}}))],
+        ...data.vehicles.map((v, j) => ({name: v.name, type: 'line', z: 3, showSymbol: true, symbol: begins[j % begins.length],
+          symbolSize: (_, p) => (p.dataIndex === 0 ? 12 : 0), data: points(v),
+          itemStyle: {color: t.paper, borderColor: t.of(j), borderWidth: 2}, lineStyle: {color: t.of(j), width: 2}}))],
     };
   };
 
@@ -72,13 +73,12 @@
       data: own.map((e) => ({name: e.what, xAxis: at(e.t)}))};
   };
 
-  const colours = {way: '#8a9aa8', work: '#009e73', hold: '#e69f00', home: '#d55e00'};
-  const colourOf = (phase, doing) => (doing === 'holds' ? colours.hold : doing === 'comes home' ? colours.home : phase === 'work' && !doing ? colours.work : colours.way);
+  const doingOf = (phase, doing) => (doing === 'holds' ? 'hold' : doing === 'comes home' ? 'home' : phase === 'work' && !doing ? 'work' : 'way');
   const clock = (ms) => new Date(ms).toISOString().slice(11, 16);
   /** What each vehicle did: a row each, its events above. */
   const timelineOption = (t) => {
     const rows = data.vehicles.map((v, i) => i).filter((i) => data.timeline[i].length);
-    const bars = rows.flatMap((i, row) => data.timeline[i].map(([from, to, phase, doing]) => ({value: [at(from), at(to), row], colour: colourOf(phase, doing),
+    const bars = rows.flatMap((i, row) => data.timeline[i].map(([from, to, phase, doing]) => ({value: [at(from), at(to), row], doing: doingOf(phase, doing),
       text: `${data.vehicles[i].name}: ${doing || phase}, ${clock(at(from))} to ${clock(at(to))} UTC`})));
     const marks = data.events.filter((e) => rows.includes(e.vehicle)).map((e) => ({value: [at(e.t), rows.indexOf(e.vehicle)],
       text: `${data.vehicles[e.vehicle].name}: ${e.what}, ${clock(at(e.t))} UTC`}));
@@ -95,14 +95,14 @@
         const [x0, y] = api.coord([api.value(0), api.value(2)]);
         const [x1] = api.coord([api.value(1), api.value(2)]);
         const height = Math.min(34, api.size([0, 1])[1] * 0.5);
-        return {type: 'rect', shape: {x: x0, y: y - height / 2, width: Math.max(1, x1 - x0), height}, style: {fill: bars[p.dataIndex].colour}};
+        return doingBar(t, bars[p.dataIndex].doing, x0, x1, y, height);
       }}, {type: 'scatter', symbol: 'pin', symbolSize: 16, symbolOffset: [0, -14], data: marks, itemStyle: {color: t.ink, opacity: 0.7}}],
     };
   };
 
-  /** A bound that belongs to the axis of a line, in red. */
-  const bounded = (t, bounds) => ({silent: true, symbol: 'none', lineStyle: {color: colours.home, type: 'solid', width: 1.5},
-    data: bounds.filter(([, bound]) => bound !== undefined).map(([name, bound]) => ({yAxis: bound, label: {color: colours.home, formatter: `${name} ${+bound.toFixed(2)}`, position: 'insideEndTop'}}))});
+  /** A bound that belongs to the axis of a line. */
+  const bounded = (t, bounds) => ({silent: true, symbol: 'none', lineStyle: {color: t.alarm, type: 'solid', width: 1.5},
+    data: bounds.filter(([, bound]) => bound !== undefined).map(([name, bound]) => ({yAxis: bound, label: {color: t.alarm, formatter: `${name} ${+bound.toFixed(2)}`, position: 'insideEndTop'}}))});
   const limits = () => data.limits[chosen()];
 
   /** Lines over time; those of the second axis carry `right`, those with a bound `bound`. */
@@ -118,7 +118,7 @@
       axisLine: {lineStyle: {color: t.rule}, onZero: false}, splitLine: {show: false}},
     yAxis: [valueAxis(t, left, {scale: true}), ...(right ? [valueAxis(t, right, {scale: true, splitLine: {show: false}})] : [])],
     series: lines.map((line, j) => ({name: line.name, type: 'line', showSymbol: false, yAxisIndex: line.right ? 1 : 0, data: pairs(line.values),
-      itemStyle: {color: color(j)}, lineStyle: {color: color(j), width: 1.6, type: line.right ? 'dashed' : 'solid'}, ...(line.bound ? {markLine: bounded(t, [line.bound])} : j === 0 ? {markLine: marks(t)} : {})})),
+      itemStyle: {color: t.of(j)}, lineStyle: {color: t.of(j), width: 1.6, type: line.right ? 'dashed' : line.dash || 'solid'}, ...(line.bound ? {markLine: bounded(t, [line.bound])} : j === 0 ? {markLine: marks(t)} : {})})),
   });
   /** An axis that shows its bound too. */
   const upTo = (option, axis, bound) => {
@@ -130,7 +130,7 @@
     height: (t) => overTime(t, [{name: 'height', values: vehicle().z}, {name: 'off the track', values: vehicle().across, right: true}], 'height (m)', 'off the track (m)'),
     attitude: (t) => overTime(t, [{name: 'roll', values: vehicle().roll}, {name: 'pitch', values: vehicle().pitch}, {name: 'heading', values: vehicle().yaw, right: true}],
       'roll, pitch (degrees)', 'heading (degrees)'),
-    thrust: (t) => overTime(t, vehicle().thrust.map((values, k) => ({name: `thruster ${k + 1}`, values})), 'thrust (N)'),
+    thrust: (t) => overTime(t, vehicle().thrust.map((values, k) => ({name: `thruster ${k + 1}`, values, dash: dashOf(k)})), 'thrust (N)'),
     power: (t) => overTime(t, [{name: 'power', values: vehicle().power}, {name: 'state of charge', values: vehicle().charge, right: true},
       {name: 'voltage', values: vehicle().voltage, right: true}], 'power (W)', 'charge (%), voltage (V)'),
     felt: (t) => upTo(upTo(overTime(t, [{name: 'water', values: speed(vehicle().water), bound: limits().current && ['current at most', limits().current]},
@@ -142,11 +142,11 @@
   };
 
   /** Series by surface and instrument share a colour, a dash tells what was asked for. */
-  const asked = (t, j, value, unit) => ({silent: true, symbol: 'none', lineStyle: {color: color(j), type: 'dashed', width: 1.4},
+  const asked = (t, j, value, unit) => ({silent: true, symbol: 'none', lineStyle: {color: t.of(j), type: 'dashed', width: 1.4},
     label: {color: t.ink, formatter: `asked ${+value.toFixed(1)} ${unit}`, position: j % 2 ? 'insideStartTop' : 'insideEndTop'}, data: [{yAxis: value}]});
   const dashes = ['solid', 'dashed', 'dotted', [8, 3, 2, 3]];
   const symbols = ['circle', 'rect', 'triangle', 'diamond'];
-  const look = (t, j) => ({symbol: symbols[j % symbols.length], symbolSize: 6, itemStyle: {color: color(j)}, lineStyle: {color: color(j), width: 2, type: dashes[j % dashes.length]}});
+  const look = (t, j) => ({symbol: symbols[j % symbols.length], symbolSize: 6, itemStyle: {color: t.of(j)}, lineStyle: {color: t.of(j), width: 2, type: dashes[j % dashes.length]}});
   const quality = (t) => ({animation: false, grid: {left: 70, right: 20, top: 44, bottom: 50}, legend: {type: 'scroll', top: 0, textStyle: {color: t.ink}, data: data.coverage.map((c) => c.name)}});
   /** A band is drawn as its lower edge, unseen, and what lies above it. */
   const detailOption = (t) => Object.assign(quality(t), {
@@ -158,7 +158,7 @@
     series: data.coverage.flatMap((c, j) => [
       {name: c.name, type: 'line', z: 3, data: c.range.map(([m, low, mid, high]) => [m, mid, low, high]), ...look(t, j), markLine: asked(t, j, c.asked_mm, 'mm')},
       {name: `${c.name} P10 to P90`, type: 'custom', z: 1, silent: true, data: c.range.length > 1 ? [[c.range[0][0], c.range[0][1]]] : [], renderItem: (_, api) => ({type: 'polygon',
-        shape: {points: [...c.range.map((r) => api.coord([r[0], r[1]])), ...c.range.slice().reverse().map((r) => api.coord([r[0], r[3]]))]}, style: {fill: color(j), opacity: 0.2}})},
+        shape: {points: [...c.range.map((r) => api.coord([r[0], r[1]])), ...c.range.slice().reverse().map((r) => api.coord([r[0], r[3]]))]}, style: {fill: t.of(j), opacity: 0.2}})},
     ]),
   });
   const coveredOption = (t) => Object.assign(overTime(t, [], 'covered (%)'), quality(t), {
@@ -169,17 +169,17 @@
   });
   for (const [id, option] of [['detail-range', detailOption], ['covered-time', coveredOption]]) {
     const chart = chartOf(id);
-    if (chart) drawn.push(() => chart.setOption(option(theme()), true));
+    if (chart) drawn.push(() => chart.draw(option(theme())));
   }
 
   const missions = chartOf('missions');
-  if (missions) drawn.push(() => missions.setOption(timelineOption(theme()), true));
+  if (missions) drawn.push(() => missions.draw(timelineOption(theme())));
   const tracks = chartOf('tracks');
-  const drawTracks = () => tracks.setOption(tracksOption(theme(), tracks), true);
+  const drawTracks = () => tracks.draw(tracksOption(theme(), tracks));
   drawn.push(drawTracks);
   for (const [id, option] of Object.entries(plots)) {
     const chart = chartOf(id);
-    const draw = () => chart.setOption(option(theme()), true);
+    const draw = () => chart.draw(option(theme()));
     drawn.push(draw);
     choice.addEventListener('change', draw);
   }

@@ -1,7 +1,7 @@
 'use strict';
 // Draws the plots of `verify --html`. Arrays over time x depth have depth fastest.
 (() => {
-  const {data, viridis, palette, theme, stamp, fixed, bearingText, timeAxis, valueAxis, edges, chartOf, drawn, start} = slackwaterPage;
+  const {data, theme, dashOf, shapeOf, stamp, fixed, bearingText, timeAxis, valueAxis, edges, chartOf, drawn, start} = slackwaterPage;
   if (!data.policies.length) return;
   const policyChoice = document.getElementById('policy');
   const trackChoice = document.getElementById('track');
@@ -13,14 +13,13 @@
 
   const leadOption = (t) => {
     const lines = policy().lines;
-    const color = (j) => (j === 0 ? t.first : palette[j % palette.length]);
     const first = lines[0];
     const last = Math.max(...lines.flatMap((line) => line.lead));
     const band = first ? first.lead.map((h, i) => [h, first.low[i], first.high[i]]).filter((x) => x[1] !== null) : [];
     return {
       animation: false,
       grid: {left: 70, right: 20, top: 56, bottom: 50},
-      legend: {top: 0, left: 60, right: 10, textStyle: {color: t.ink}, data: lines.map((line) => line.method)},
+      legend: {type: 'scroll', top: 0, left: 60, right: 10, textStyle: {color: t.ink}, data: lines.map((line) => line.method)},
       tooltip: {trigger: 'axis', formatter: (items) => {
         const rows = items.filter((x) => x.seriesName !== 'interval').sort((a, b) => a.value[1] - b.value[1])
           .map((x) => `${x.marker}${echarts.format.encodeHTML(x.seriesName)} <b>${fixed(x.value[1], 3)} m/s</b>`);
@@ -33,8 +32,8 @@
           renderItem: (_, api) => ({type: 'polygon', silent: true, style: {fill: t.first, opacity: 0.2},
             shape: {points: band.map((x) => [x[0], x[2]]).concat(band.map((x) => [x[0], x[1]]).reverse()).map((x) => api.coord(x))}})}] : []),
         ...lines.map((line, j) => ({name: line.method, type: 'line', data: line.lead.map((h, i) => [h, line.rmse[i]]),
-          symbol: 'circle', symbolSize: line.lead.length > 30 ? 0 : 6, z: j === 0 ? 5 : 3, itemStyle: {color: color(j)},
-          lineStyle: {color: color(j), width: j === 0 ? 3 : 1.6, type: line.method.startsWith('oracle-mean') ? 'dotted' : line.method.startsWith('forecast beside') ? 'dashed' : 'solid'}})),
+          symbol: shapeOf(j), symbolSize: line.lead.length > 30 ? 0 : 7, z: j === 0 ? 5 : 3, itemStyle: {color: t.of(j)},
+          lineStyle: {color: t.of(j), width: j === 0 ? 3 : 1.6, type: dashOf(j)}})),
       ],
     };
   };
@@ -116,7 +115,7 @@
       xAxis,
       yAxis: valueAxis(t, bed > 0 ? `depth (m), bed at ${+bed.toFixed(1)}` : 'depth (m)', {inverse: true, min: 0, max: deepest, splitLine: {show: false}, axisLabel: {color: t.quiet, showMaxLabel: false}}),
       visualMap: {type: 'continuous', min: 0, max: top, dimension: 2, calculable: false, right: 8, top: 'middle', itemHeight: 240, itemWidth: 16,
-        text: [`${top.toFixed(2)} m/s`, '0 m/s'], textStyle: {color: t.ink}, inRange: {color: viridis}},
+        text: [`${top.toFixed(2)} m/s`, '0 m/s'], textStyle: {color: t.ink}, inRange: {color: t.ramp}},
       series: [{type: 'custom', data: cells, dimensions: ['x', 'depth', 'misfit', 'i', 'k'], encode: {x: 0, y: 1}, clip: true, progressive: 0,
         renderItem: (_, api) => {
           const i = api.value(3), k = api.value(4);
@@ -150,17 +149,17 @@
     hodographs.forEach((chart, j) => {
       const shown = p !== undefined && j < p.drawn.length;
       show(`hodograph-${j}`, shown);
-      if (shown) chart.setOption(hodographOption(t, j), true);
+      if (shown) chart.draw(hodographOption(t, j));
     });
     show('misfit-section', p !== undefined);
-    if (p) misfit.setOption(timeMisfitOption(t, p), true);
+    if (p) misfit.draw(timeMisfitOption(t, p));
   };
   const drawPolicy = () => {
     const t = theme(), p = policy();
-    byLead.setOption(leadOption(t), true);
-    reliability.setOption(reliabilityOption(t), true);
-    pit.setOption(pitOption(t), true);
-    pooled.setOption(leadMisfitOption(t, p.pooled), true);
+    byLead.draw(leadOption(t));
+    reliability.draw(reliabilityOption(t));
+    pit.draw(pitOption(t));
+    pooled.draw(leadMisfitOption(t, p.pooled));
   };
   const fillTracks = () => fill(trackChoice, policy().tracks.map((x) => x.label), policy().tracks.length - 1);
 

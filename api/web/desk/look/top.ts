@@ -47,15 +47,20 @@ export function topPart(desk: Desk): HTMLElement {
     ],
     (to) => view.set({ directions: to }),
   );
+  const report = element('a', {}, 'Report');
+  const data = element('a', {}, 'Data');
+  const pages = element('nav', { class: 'pages', 'aria-label': 'More pages of this site' });
+  pages.append(report, data);
   // Folded away where there is no room for it.
   const looks = element(
     'details',
     { class: 'looks', open: matchMedia('(min-width: 701px)').matches },
-    element('summary', {}, 'Units and colours'),
+    element('summary', {}, 'Units, colours and pages'),
     palette.node,
     speed.node,
     clock.node,
     directions.node,
+    pages,
   );
 
   const show = (): void => {
@@ -76,6 +81,9 @@ export function topPart(desk: Desk): HTMLElement {
     set_text(status, it === undefined ? '' : `${STATUS[it.status]}${as_of}`);
     set_hidden(status, it === undefined);
     set_text(words, words_of(desk));
+    report.href = it?.report_page ?? '';
+    set_hidden(report, !it?.report_page);
+    data.href = `/?f=html#${encodeURIComponent(view.values.site)}`;
     set_text(trouble, server.sites?.trouble ?? '');
     set_hidden(trouble, (server.sites?.trouble ?? '') === '');
   };

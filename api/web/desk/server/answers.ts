@@ -37,6 +37,8 @@ export interface SiteInSites {
   in_words: string;
   forecast: ForecastInForce | null;
   report: string | null;
+  /** The page of the report that was made last. */
+  report_page: string | null;
 }
 
 /** /sites/ID. The server leaves out what it does not know; here it is then empty. */

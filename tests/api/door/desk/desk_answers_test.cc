@@ -48,6 +48,28 @@ TEST_F(DeskAnswers, TheReportIsThatOfTheCommand) {
   EXPECT_EQ(now.at("today").at("from"), "2025-03-04T06:30:00Z") << "the server's clock shows 06:10";
 }
 
+TEST_F(DeskAnswers, ThePageOfTheReportIsTheOneThatWasMadeLast) {
+  const std::filesystem::path folder = made_->store() / "reports" / "farm";
+  const std::string address = "/sites/farm/report.html";
+  const HttpReply page = reply(address);
+  ASSERT_EQ(page.status, 200) << page.body;
+  EXPECT_EQ(page.body, read_bytes(folder / "2025-03-05.html"))
+      << "of the day after the last issue, not of the one before";
+  EXPECT_TRUE(contains(page.field("content-type"), "text/html"));
+  EXPECT_TRUE(contains(page.field("content-security-policy"), "default-src 'none'"));
+  std::ofstream(folder / "2025-03-05_1200.html") << "issued again at noon";
+  std::ofstream(folder / "2025-03-06.html") << "of a day that this clock has not come to";
+  std::ofstream(folder / "2025-03-07.pdf") << "no page";
+  EXPECT_EQ(reply(address).body, "issued again at noon");
+  for (const char* name : {"2025-03-05_1200.html", "2025-03-06.html", "2025-03-07.pdf"})
+    std::filesystem::remove(folder / name);
+  const json sites = got("/sites").at("sites");
+  EXPECT_EQ(sites[0].at("report_page"), address);
+  EXPECT_EQ(sites[1].at("report_page"), nullptr);
+  EXPECT_EQ(reply("/sites/bare/report.html").status, 404);
+  EXPECT_EQ(reply("/sites/..%2Ffarm/report.html").status, 400);
+}
+
 TEST_F(DeskAnswers, PlanSkillSourcesAndDecisionsAreThoseOfTheCommands) {
   EXPECT_EQ(
       got("/sites/farm/plan?time-limit=20"),

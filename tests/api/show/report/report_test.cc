@@ -153,7 +153,7 @@ TEST(Report, IsWrittenWholeOrRefusedWithTheFileNamed) {
 
 TEST(ReportAssets, AreThoseOfTheTree) {
   EXPECT_NE(report_common_script().find("report-data"), std::string_view::npos);
-  EXPECT_NE(report_style().find("prefers-color-scheme"), std::string_view::npos);
+  EXPECT_NE(report_style().find("var(--rule)"), std::string_view::npos);
   // No script element may be closed from inside.
   for (const std::string_view script : {report_common_script(), report_script(), skill_script()}) {
     EXPECT_EQ(script.find("</script"), std::string_view::npos);

@@ -23,6 +23,7 @@ function site(id: string, status: SiteStatus = 'ok'): SiteInSites {
     in_words: `words of ${id}`,
     forecast: null,
     report: `/sites/${id}/report`,
+    report_page: null,
   };
 }
 const there = (today: 'go' | 'no-go' | null, next: 'go' | 'marginal'): BoardSite['report'] => ({

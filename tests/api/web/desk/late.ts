@@ -104,6 +104,7 @@ export const two_sites = (): Sites => ({
     in_words: '',
     forecast,
     report: `/sites/${id}/report`,
+    report_page: null,
   })),
 });
 
