@@ -1,5 +1,6 @@
 // What is looked at, and how: the whole of it stands in the address, so that a link shows the same.
 import type { Directions, SpeedUnit } from './look/units';
+import { NO_TRIAL, type Trial } from './trial';
 
 export type Palette = 'day' | 'dusk' | 'night';
 export type Panel = 'decide' | 'place' | 'what_if';
@@ -21,8 +22,9 @@ export interface ViewValues {
   clock: 'utc' | 'site';
   directions: Directions;
 }
-/** What of the view changed; "forecast": another one is in force; "server": it went or is back. */
-export type Changed = ReadonlySet<keyof ViewValues | 'sites' | 'forecast' | 'server'>;
+/** What of the view changed; "forecast": another one is in force; "server": it went or is back;
+    "trial": what is tried out on the map. */
+export type Changed = ReadonlySet<keyof ViewValues | 'sites' | 'forecast' | 'server' | 'trial'>;
 
 /** What a person keeps from one view to the next. */
 export const KEPT = ['palette', 'speed', 'clock', 'directions'] as const;
@@ -103,6 +105,8 @@ export function time_of_ms(utc_ms: number): string {
 
 /** The view, with those who want to hear of its changes. */
 export class View {
+  /** Of the view alone: no link holds it. */
+  trial: Trial = NO_TRIAL;
   private readonly listeners: ((changed: Changed) => void)[] = [];
 
   constructor(private now: ViewValues) {}
@@ -119,6 +123,11 @@ export class View {
     if (changed.length === 0) return;
     this.now = next;
     this.tell(new Set(changed));
+  }
+  try_out(trial: Trial): void {
+    if (JSON.stringify(trial) === JSON.stringify(this.trial)) return;
+    this.trial = trial;
+    this.tell(new Set(['trial']));
   }
   tell(changed: Changed): void {
     for (const listener of this.listeners) listener(changed);

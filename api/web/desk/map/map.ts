@@ -24,6 +24,7 @@ import {
   type Size,
 } from './projection';
 import { draw_place, draw_things, draw_water, screen } from './scene';
+import { draw_trial } from './trial_signs';
 import { depth_choice, place_choice } from './tools';
 
 const SNAP_PX = 14;
@@ -43,7 +44,8 @@ export function mapPart(desk: Desk): HTMLElement {
 
   const coast = drawn('path', { class: 'land' });
   const depths = drawn('g', { class: 'bed' });
-  const [things, water, place] = [drawn('g'), drawn('g', { class: 'water' }), drawn('g')];
+  const [things, trial] = [drawn('g'), drawn('g')];
+  const [water, place] = [drawn('g', { class: 'water' }), drawn('g')];
   const cells = cells_layer(desk);
   const aim = drawn('path', { class: 'aim', d: 'M-9,0 H9 M0,-9 V9' });
   const bar = drawn('g', { class: 'scale-bar' });
@@ -57,7 +59,7 @@ export function mapPart(desk: Desk): HTMLElement {
         'Map, north up. Arrow keys move it, plus and minus zoom, 0 shows all, Enter takes the ' +
         'place in the middle. The table of columns says the same in words.',
     },
-    ...[depths, coast, things, cells.node, water, place, aim, bar],
+    ...[depths, coast, things, trial, cells.node, water, place, aim, bar],
   );
   const says = element('p', { class: 'map-says', role: 'status', hidden: true });
   /** Where to look while the site is not described yet. */
@@ -94,6 +96,7 @@ export function mapPart(desk: Desk): HTMLElement {
     coast.setAttribute('d', coast_path(to, box_of(from, size)));
     if (site === null) things.replaceChildren();
     else draw_things(things, site, to, shown.names, look, seen_ms);
+    draw_trial(trial, view.trial, to);
     draw_place(place, view.values.place ?? site?.place ?? null, to);
     aim.setAttribute('transform', `translate(${size.width / 2} ${size.height / 2})`);
     draw_bar(bar, from, size.height);
@@ -188,7 +191,9 @@ export function mapPart(desk: Desk): HTMLElement {
         return Math.hypot(right - x, down - y) < SNAP_PX;
       });
       const { longitude_deg, latitude_deg } = near ?? place_at(camera(), size, x, y);
-      view.set({ place: { longitude_deg, latitude_deg }, panel: 'place' });
+      // Who tries something out goes on with that.
+      const panel = view.values.panel === 'what_if' ? 'what_if' : 'place';
+      view.set({ place: { longitude_deg, latitude_deg }, panel });
     },
   });
   const zoom = (by: number): void =>
@@ -206,7 +211,7 @@ export function mapPart(desk: Desk): HTMLElement {
     if (changed.has('site') || changed.has('forecast')) void load();
     else if (changed.has('sites') && (view.values.site === '' || is_due())) void load();
     else if (changed.has('server') && server.link.is === 'there' && site === null) void load();
-    if (changed.has('map') || changed.has('place')) draw_soon();
+    if (changed.has('map') || changed.has('place') || changed.has('trial')) draw_soon();
     else if (!changed.has('panel')) draw_hour();
     if (changed.has('depth_m')) depth.show(site);
     if (changed.has('place')) where.show(site);

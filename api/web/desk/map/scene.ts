@@ -9,8 +9,16 @@ import { beside_barbs_px, current_arrow, wave_arrow, wind_barb } from './arrows'
 import type { Weather } from './field';
 import { place_sign, port_sign, turbine_sign, type Shown } from './legend';
 
-type Point = [number, number];
+export type Point = [number, number];
 const AREA_NAME_PX = 90;
+
+export function line_through(points: Point[], to: GeoProjection): string {
+  return points
+    .map((point) => to(point))
+    .filter((point) => point !== null)
+    .map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${x.toFixed(1)},${y.toFixed(1)}`)
+    .join('');
+}
 
 /** The things that do not change with the hour. */
 export function draw_things(
@@ -21,12 +29,7 @@ export function draw_things(
   look: Look,
   seen_ms: number, // when the server said what is in force
 ): void {
-  const line = (points: Point[]): string =>
-    points
-      .map((point) => to(point))
-      .filter((point) => point !== null)
-      .map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${x.toFixed(1)},${y.toFixed(1)}`)
-      .join('');
+  const line = (points: Point[]): string => line_through(points, to);
   const made: SVGElement[] = [];
   for (const area of site.areas) {
     const shape = drawn('path', { class: `area ${area.kind}`, d: `${line(area.ring)}Z` });
@@ -190,6 +193,12 @@ export function screen(to: GeoProjection, { longitude_deg, latitude_deg }: Place
   return [Math.round(x * 10) / 10, Math.round(y * 10) / 10];
 }
 
-function text([x, y]: Point, right: number, down: number, words: string, kind: string): SVGElement {
+export function text(
+  [x, y]: Point,
+  right: number,
+  down: number,
+  words: string,
+  kind: string,
+): SVGElement {
   return drawn('text', { class: kind, x: x + right, y: y + down }, words);
 }

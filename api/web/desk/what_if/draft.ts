@@ -1,5 +1,7 @@
 // What a person has changed: the texts as they would be, and the hours and turbine asked about.
-import { value_in, with_exchanged, with_value, type Path } from './yaml_text';
+import { ring_around, rounded, type Trial } from '../trial';
+import type { Place } from '../view';
+import { value_in, with_added, with_exchanged, with_value, type Path } from './yaml_text';
 
 export interface Texts {
   site: string;
@@ -101,6 +103,46 @@ export class Draft {
     if (place > 0) this.site = with_exchanged(this.site, ['tasks'], place - 1, place);
   }
 
+  get turbines(): { id: string; place: Place }[] {
+    return turbines_of(this.site);
+  }
+  move_turbine(id: string, place: Place): void {
+    const index = this.turbines.findIndex((it) => it.id === id);
+    if (index < 0) return;
+    for (const key of ['latitude_deg', 'longitude_deg'] as const)
+      this.site = with_value(this.site, ['turbines', index, key], rounded(place[key]));
+  }
+  /** Its id. */
+  add_turbine(place: Place): string {
+    const id = free_id('NEW', new Set(this.turbines.map((it) => it.id)));
+    const [latitude_deg, longitude_deg] = [place.latitude_deg, place.longitude_deg].map(rounded);
+    this.site = with_added(this.site, ['turbines'], { id, latitude_deg, longitude_deg });
+    return id;
+  }
+  /** To keep out of, at any height and hour. */
+  add_zone(place: Place, radius_m: number): void {
+    const id = free_id('trial', new Set(zones_of(this.site).map((it) => it.id)));
+    const polygon = ring_around(place, radius_m).map(([longitude_deg, latitude_deg]) => ({
+      latitude_deg,
+      longitude_deg,
+    }));
+    const zone = { id, kind: 'exclusion', reason: `on trial, ${radius_m} m around`, polygon };
+    this.site = with_added(this.site, ['areas'], zone);
+  }
+  /** What of turbines and zones is not as the site has it. */
+  get trial(): Trial {
+    const before = new Map(turbines_of(this.texts.site).map(({ id, place }) => [id, place]));
+    const is_other = (a: Place, b: Place | undefined): boolean =>
+      b === undefined || a.longitude_deg !== b.longitude_deg || a.latitude_deg !== b.latitude_deg;
+    const known = new Set(zones_of(this.texts.site).map(({ id }) => id));
+    return {
+      turbines: this.turbines
+        .filter(({ id, place }) => is_other(place, before.get(id)))
+        .map(({ id, place }) => ({ id, place, is_new: !before.has(id) })),
+      zones: zones_of(this.site).filter(({ id }) => !known.has(id)),
+    };
+  }
+
   get changed(): ChangedTexts {
     const tasks = Object.entries(this.tasks).filter(([id, text]) => text !== this.texts.tasks[id]);
     return {
@@ -130,4 +172,31 @@ export class Draft {
     const { from, to } = this.asked;
     return new URLSearchParams({ ...(from && { from }), ...(to && { to }) }).toString();
   }
+}
+
+function entries(site: string, list: string): Record<string, unknown>[] {
+  const found = value_in(site, [list]);
+  return Array.isArray(found) ? (found as Record<string, unknown>[]) : [];
+}
+
+function turbines_of(site: string): { id: string; place: Place }[] {
+  return entries(site, 'turbines').map(({ id, longitude_deg, latitude_deg }) => ({
+    id: String(id),
+    place: { longitude_deg: Number(longitude_deg), latitude_deg: Number(latitude_deg) },
+  }));
+}
+
+function zones_of(site: string): Trial['zones'] {
+  return entries(site, 'areas').map(({ id, polygon }) => ({
+    id: String(id),
+    ring: (Array.isArray(polygon) ? (polygon as Partial<Place>[]) : []).map((it) => [
+      Number(it.longitude_deg),
+      Number(it.latitude_deg),
+    ]),
+  }));
+}
+
+/** "NEW1", "NEW2": the first that nobody has. */
+function free_id(stem: string, taken: ReadonlySet<string>): string {
+  for (let n = 1; ; n += 1) if (!taken.has(`${stem}${n}`)) return `${stem}${n}`;
 }

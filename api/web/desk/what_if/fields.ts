@@ -8,7 +8,7 @@ export interface FieldsOf {
   original: Draft;
   task: string;
   tasks: readonly { id: string; name: string }[];
-  turbines: readonly string[];
+  on_map: HTMLElement;
   choose_task(id: string): void;
   /** @param limit  where it is one that was changed */
   changed(limit?: Limit): void;
@@ -25,6 +25,7 @@ export function fields(of: FieldsOf): HTMLElement {
     group('Limits', task_choice(of), limits(of)),
     group('Hours and turbine', hours(of)),
     group('Order', order(of)),
+    group('On the map', of.on_map),
   );
 }
 
@@ -69,12 +70,12 @@ function limits({ draft, original, task, changed }: FieldsOf): HTMLElement {
   return list;
 }
 
-function hours({ draft, turbines, changed }: FieldsOf): HTMLElement {
+function hours({ draft, changed }: FieldsOf): HTMLElement {
   const turbine = element(
     'select',
     {},
     option('', 'As the site says'),
-    ...turbines.map((id) => option(id)),
+    ...draft.turbines.map(({ id }) => option(id)),
   );
   turbine.value = draft.asked.turbine;
   turbine.addEventListener('change', () => {

@@ -1,15 +1,17 @@
-// What would be, if a limit, a shift, the order, the hours or the turbine were other ones. The
+// What would be, if a limit, a shift, the order, the hours, turbines or zones were other ones. The
 // server works it out and keeps nothing.
 import type { Answer } from '../decide/answer';
 import type { Plan, Windows } from '../decide/answers';
 import { Section } from '../decide/section';
 import type { Desk } from '../look/desk';
+import { NO_TRIAL } from '../trial';
 import { button, element } from '../../look/element';
 import { or_token_form } from '../server/token_form';
 import { Draft, type Texts } from './draft';
 import { fields } from './fields';
 import { changed_files, command_lines, save } from './files';
 import { limits_of, type Limit } from './limits';
+import { on_map, type OnMap } from './on_map';
 import { price_of } from './price';
 import { result, type WhatIf } from './result';
 
@@ -24,6 +26,7 @@ class WhatIfPanel {
   private begun = 0;
   private draft: Draft | null = null;
   private original: Draft | null = null;
+  private on_map: OnMap | null = null;
   private task = '';
   private priced: { task: string; limit: Limit } | null = null;
   private asking: Draft | null = null; // whose question is under way
@@ -48,6 +51,7 @@ class WhatIfPanel {
       if (changed.has('site')) this.begin();
       else if (changed.has('forecast') || changed.has('clock')) this.work_out();
       else if (changed.has('depth_m')) this.work_out_price();
+      if (changed.has('place')) this.on_map?.show();
     });
     this.begin();
   }
@@ -65,6 +69,8 @@ class WhatIfPanel {
     const { site } = this.desk.view.values;
     clearTimeout(this.timer);
     this.draft = null;
+    this.on_map = null;
+    this.desk.view.try_out(NO_TRIAL);
     this.priced = null;
     if (site === '') {
       this.change.say('There is no site to change yet.');
@@ -77,7 +83,7 @@ class WhatIfPanel {
   }
 
   private async form(site: string, begun: number): Promise<HTMLElement> {
-    const [{ body: texts }, { tasks, turbines }] = await Promise.all([
+    const [{ body: texts }, { tasks }] = await Promise.all([
       this.get<Texts>('/texts'),
       this.desk.server.site(site),
     ]);
@@ -89,6 +95,15 @@ class WhatIfPanel {
     if (texts.tasks[this.task] === undefined) this.task = draft.site_tasks[0] ?? '';
     const names = new Map(tasks.map(({ id, name }) => [id, name]));
     const made = element('div');
+    const wait = (): void => {
+      clearTimeout(this.timer);
+      this.timer = setTimeout(() => this.work_out(), WAIT_MS);
+    };
+    const there = on_map(this.desk, draft, () => {
+      draw(); // the new one can be asked about
+      wait();
+    });
+    this.on_map = there;
     const draw = (): void =>
       made.replaceChildren(
         fields({
@@ -96,7 +111,7 @@ class WhatIfPanel {
           original,
           task: this.task,
           tasks: draft.site_tasks.map((id) => ({ id, name: names.get(id) ?? id })),
-          turbines: turbines.map(({ id }) => id),
+          on_map: there.node,
           choose_task: (id) => {
             this.task = id;
             draw();
@@ -104,8 +119,7 @@ class WhatIfPanel {
           },
           changed: (limit) => {
             if (limit !== undefined) this.priced = { task: this.task, limit };
-            clearTimeout(this.timer);
-            this.timer = setTimeout(() => this.work_out(), WAIT_MS);
+            wait();
           },
         }),
         button('Back to what is true', () => this.begin()),

@@ -24,6 +24,16 @@ export function with_value(text: string, path: Path, value: string | number): st
   return doc.toString({ lineWidth: 0, flowCollectionPadding: false });
 }
 
+/** Adds an entry to a list, which is made where there is none; the text is written anew for it. */
+export function with_added(text: string, list: Path, entry: unknown): string {
+  const doc = parseDocument(text);
+  const node = doc.createNode(entry, { flow: true });
+  const found = doc.getIn(list, true);
+  if (isSeq(found)) found.add(node);
+  else doc.setIn(list, doc.createNode([node]));
+  return doc.toString({ lineWidth: 0, flowCollectionPadding: false });
+}
+
 /** Exchanges two entries of a list. */
 export function with_exchanged(text: string, list: Path, a: number, b: number): string {
   const first = place_of(text, [...list, Math.min(a, b)]);
