@@ -61,13 +61,10 @@ export function on_map(desk: Desk, draft: Draft, changed: () => void): OnMap {
     if (ids.includes(chosen)) turbine.value = chosen;
     const { turbines, zones } = draft.trial;
     list.replaceChildren(
-      ...turbines.map(({ id, place, is_new }) =>
-        element(
-          'li',
-          {},
-          `${id}: ${is_new ? 'new' : 'moved'}, at ${place_text(place.longitude_deg, place.latitude_deg)}`,
-        ),
-      ),
+      ...turbines.map(({ id, place, is_new }) => {
+        const at = place_text(place.longitude_deg, place.latitude_deg);
+        return element('li', {}, `${id}: ${is_new ? 'new' : 'moved'}, at ${at}`);
+      }),
       ...zones.map(({ id }) => element('li', {}, `${id}: a zone to keep out of`)),
     );
     set_hidden(list, turbines.length + zones.length === 0);
