@@ -76,9 +76,8 @@ std::vector<StormPeak> made_up_storms(const Pareto& truth, double threshold, dou
   return peaks;
 }
 
-/// What a 90 % interval promises, held against 300 histories of 20 years whose truth is known. It
-/// holds the truth 85 to 93 times in 100: a parametric bootstrap falls a little short, and nearly
-/// all of what it misses lies above it (api/docs/climate.md says so).
+/// What a 90 % interval promises, held against 300 histories of 20 years whose truth is known, of
+/// good fits. Nearly all of what it misses lies above it (api/docs/climate.md says so).
 TEST(StormExtremes, IntervalsHoldTheTruthNineTimesInTen) {
   for (const double shape : {-0.15, 0.05}) {
     const Pareto truth{1.1, shape};
@@ -91,12 +90,17 @@ TEST(StormExtremes, IntervalsHoldTheTruthNineTimesInTen) {
     Rng random(11, "tests/storm_extremes");
     int held[2] = {0, 0};
     int below[2] = {0, 0};
+    int refused = 0;
     const int twins = 300;
     for (int twin = 0; twin < twins; ++twin) {
       question.seed = static_cast<std::uint64_t>(twin);
       const auto fit = peaks_fit(made_up_storms(truth, threshold, per_year, years, random),
                                  threshold, years, question);
       ASSERT_TRUE(fit);
+      if (!fit->is_good()) {
+        ++refused;
+        continue;
+      }
       for (std::size_t v = 0; v < 2; ++v) {
         const ReturnValue& one = fit->returns[v];
         ASSERT_EQ(one.support, ReturnSupport::supported);
@@ -105,10 +109,14 @@ TEST(StormExtremes, IntervalsHoldTheTruthNineTimesInTen) {
         below[v] += value < one.interval.low ? 1 : 0;
       }
     }
-    // Three standard deviations of 300 throws at 0.89 are 0.054.
+    // Of a law that does end, one sample in fifteen has a value above where its fit ends; three
+    // standard deviations of that are 13 of 300.
+    EXPECT_LE(refused, shape < 0 ? 20 + 13 : 5) << shape;
+    // Three standard deviations of 280 throws at 0.9 are 0.054.
+    const int told = twins - refused;
     for (std::size_t v = 0; v < 2; ++v) {
-      EXPECT_NEAR(1.0 * held[v] / twins, 0.89, 0.055) << shape << " " << v;
-      EXPECT_LE(1.0 * below[v] / twins, 0.05) << shape << " " << v;
+      EXPECT_NEAR(1.0 * held[v] / told, 0.9, 0.054) << shape << " " << v;
+      EXPECT_LE(1.0 * below[v] / told, 0.05) << shape << " " << v;
     }
   }
 }
@@ -340,6 +348,7 @@ TEST(StormExtremes, AFitThatIsNotGoodHasNoValue) {
   ExtremesQuestion question;
   question.return_years = {10};
   std::vector<StormPeak> peaks;
+  peaks.reserve(101);
   const Pareto heavy{1, 0.8};
   for (int i = 0; i < 100; ++i) peaks.push_back({0, 4 + heavy.exceeded_with((i + 0.5) / 100)});
   const auto without_variance = peaks_fit(peaks, 4, 20, question);
@@ -356,6 +365,7 @@ TEST(StormExtremes, AFitThatIsNotGoodHasNoValue) {
   EXPECT_EQ(ends_too_soon->returns[0].support, ReturnSupport::no_good_fit);
   EXPECT_EQ(ends_too_soon->returns[0].value, 0);
   std::vector<double> maxima;
+  maxima.reserve(101);
   for (int i = 0; i < 100; ++i) maxima.push_back((i + 0.5) / 100);
   maxima.push_back(2);
   const auto of_years = maxima_fit(maxima, true, question);
