@@ -1,6 +1,6 @@
 // What a person tries out on the map: turbines elsewhere, zones that are not there. It is drawn
 // beside what is true, stands in no address, and goes with the page.
-import type { Place } from './view';
+import type { Place } from './position';
 
 export interface Trial {
   turbines: { id: string; place: Place; is_new: boolean }[];

@@ -1,13 +1,12 @@
 // What is looked at, and how: the whole of it stands in the address, so that a link shows the same.
 import type { Directions, SpeedUnit } from './look/units';
+import type { Place } from './position';
 import { NO_TRIAL, type Trial } from './trial';
+
+export type { Place };
 
 export type Palette = 'day' | 'dusk' | 'night';
 export type Panel = 'decide' | 'place' | 'what_if';
-export interface Place {
-  longitude_deg: number;
-  latitude_deg: number;
-}
 
 export interface ViewValues {
   site: string; // '' until the server has named its sites

@@ -1,0 +1,4 @@
+export interface Place {
+  longitude_deg: number;
+  latitude_deg: number;
+}
