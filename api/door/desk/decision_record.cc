@@ -32,8 +32,8 @@ Error no_decision_in(const std::string& found) {
               R"(and perhaps "turbine", "note", "at", "forecast" and "in_place_of")"};
 }
 
-std::string word_in(const char* name, const json& value) {
-  if (!value.is_string()) throw no_decision_in(std::string(name) + " that is no text");
+std::string word_in(const std::string& name, const json& value) {
+  if (!value.is_string()) throw no_decision_in("'" + name + "' that is no text");
   return value.get<std::string>();
 }
 
@@ -54,7 +54,7 @@ Signed signed_in(const std::string& body) {
       out.seen_to_count = value;
       continue;
     }
-    const std::string text = word_in("a part", value);
+    const std::string text = word_in(name, value);
     if (name == "task") {
       expect_id("task", text);
       question.task = text;
@@ -74,7 +74,7 @@ Signed signed_in(const std::string& body) {
     } else if (name == "forecast") {
       out.seen_forecast = text;
     } else {
-      throw no_decision_in("another part");
+      throw no_decision_in("another part, '" + name + "'");
     }
   }
   return out;
