@@ -31,10 +31,13 @@ bool hangs_on(std::span<const UtcTime> times, std::size_t i) {
   return !is_hole(times, i - 1) && may_interpolate(times, i - 1);
 }
 
-std::vector<TimeSpan> whole_parts(std::span<const UtcTime> times) {
+std::vector<TimeSpan> whole_parts(
+    std::span<const UtcTime> times,
+    const std::function<bool(UtcTime after, UtcTime before)>& is_cut) {
   std::vector<TimeSpan> parts;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (i == 0 || !hangs_on(times, i)) parts.push_back({times[i], times[i]});
+    if (i == 0 || !hangs_on(times, i) || (is_cut && is_cut(times[i - 1], times[i])))
+      parts.push_back({times[i], times[i]});
     parts.back().to = times[i];
   }
   return parts;

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,7 +29,10 @@ struct TimeSpan {
 };
 
 /// The parts of a series that hang together.
-[[nodiscard]] std::vector<TimeSpan> whole_parts(std::span<const UtcTime> times);
+/// @param is_cut  whether it is cut after one time and before the next all the same; empty: never
+[[nodiscard]] std::vector<TimeSpan> whole_parts(
+    std::span<const UtcTime> times,
+    const std::function<bool(UtcTime after, UtcTime before)>& is_cut = {});
 
 /// Time that is taken: spans joined where they overlap.
 class TakenTime {

@@ -57,13 +57,10 @@ std::vector<Part<T>> shared_out(const std::vector<const ProductRun<T>*>& runs) {
     const std::vector<UtcTime> centres = runs[rank]->centres();
     const FilledPauses filled(*runs[rank], runs);
     for (Part<T>& part : parts_left(*runs[rank], rank, taken, filled)) parts.push_back(part);
-    for (std::size_t i = 0, first = 0; i < centres.size(); ++i) {
-      const bool is_last = i + 1 == centres.size();
-      if (!is_last && hangs_on(centres, i + 1) && !filled.holds(centres[i], centres[i + 1]))
-        continue;
-      taken.take({centres[first], centres[i]});
-      first = i + 1;
-    }
+    const auto is_filled = [&](UtcTime after, UtcTime before) {
+      return filled.holds(after, before);
+    };
+    for (const TimeSpan& span : whole_parts(centres, is_filled)) taken.take(span);
   }
   return parts;
 }
