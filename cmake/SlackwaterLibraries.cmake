@@ -70,6 +70,16 @@ target_include_directories(slackwater_lib_cbc SYSTEM INTERFACE ${CBC_INCLUDE}/co
 target_link_libraries(slackwater_lib_cbc INTERFACE ${CBC_SOLVER_LIBRARY} ${CBC_LIBRARY})
 set_property(GLOBAL APPEND PROPERTY SLACKWATER_LIBRARIES slackwater_lib_cbc)
 
+# Four of OpenCV's libraries; its CMake file asks for the headers of all.
+find_path(OPENCV_INCLUDE opencv2/dnn.hpp PATH_SUFFIXES opencv4 REQUIRED)
+add_library(slackwater_lib_opencv INTERFACE)
+target_include_directories(slackwater_lib_opencv SYSTEM INTERFACE ${OPENCV_INCLUDE})
+foreach(part core imgproc imgcodecs dnn)
+  find_library(OPENCV_${part}_LIBRARY opencv_${part} REQUIRED)
+  target_link_libraries(slackwater_lib_opencv INTERFACE ${OPENCV_${part}_LIBRARY})
+endforeach()
+set_property(GLOBAL APPEND PROPERTY SLACKWATER_LIBRARIES slackwater_lib_opencv)
+
 # Embree's own CMake file names a target that its users would need too; the library alone does.
 find_path(EMBREE_INCLUDE embree3/rtcore.h REQUIRED)
 find_library(EMBREE_LIBRARY embree3 REQUIRED)

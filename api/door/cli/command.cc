@@ -158,6 +158,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_sessions(app, context);
   add_watch(app, context);
   add_ais(app, context);
+  add_detect(app, context);
   add_serve(app, context);
   add_demo(app, context);
   try {

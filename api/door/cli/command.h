@@ -78,6 +78,7 @@ void add_workability(CLI::App& app, Context& context);
 void add_climate(CLI::App& app, Context& context);
 void add_plan(CLI::App& app, Context& context);
 void add_report(CLI::App& app, Context& context);
+void add_detect(CLI::App& app, Context& context);
 void add_decide(CLI::App& app, Context& context);
 void add_decisions(CLI::App& app, Context& context);
 void add_sessions(CLI::App& app, Context& context);

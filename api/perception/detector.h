@@ -1,0 +1,30 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "api/perception/detection.h"
+#include "api/perception/picture.h"
+
+namespace slackwater::api {
+
+/// Finds things in pictures. Not thread-safe: one for each thread.
+class Detector {
+ public:
+  Detector() = default;
+  virtual ~Detector() = default;
+  Detector(const Detector&) = delete;
+  Detector& operator=(const Detector&) = delete;
+
+  /// What it can find.
+  [[nodiscard]] virtual const std::vector<std::string>& kinds() const noexcept = 0;
+  /// Surest first; the same answer for the same picture.
+  [[nodiscard]] virtual std::vector<Detection> find(const Picture& picture) = 0;
+};
+
+/// One of data/detectors by its name, else a file of that form (detector_file.h).
+/// @throws Error(not_found) that names those there are; Error(invalid_input) as `read_detector`
+[[nodiscard]] std::unique_ptr<Detector> load_detector(const std::string& name_or_file);
+
+}  // namespace slackwater::api

@@ -1,0 +1,91 @@
+"""Labelled pictures (COCO) as crops to learn from, and the changes that a camera makes to them."""
+
+import json
+import pathlib
+
+import numpy as np
+import torch
+from PIL import Image
+
+# The input is (rgb / 255 - MEAN) / SD: about what the renders have, and no more than a scale.
+MEAN, SD = (0.35, 0.40, 0.40), (0.20, 0.20, 0.20)
+
+
+def sides_of(box):
+    return box[..., 2] - box[..., 0], box[..., 3] - box[..., 1]
+
+
+class Pictures:
+    """All pictures of the folders, in memory. kinds: names in the order of the network's logits."""
+
+    def __init__(self, folders, kinds):
+        self.pixels, self.boxes, self.labels = [], [], []
+        for folder in map(pathlib.Path, folders):
+            files = [*folder.glob("*.json"), *folder.glob("annotations/*.json")]
+            assert len(files) == 1, f"{folder}: found {len(files)} JSON files, expected one"
+            read = json.loads(files[0].read_text())
+            nth = {c["id"]: kinds.index(c["name"]) for c in read["categories"] if c["name"] in kinds}
+            of = {image["id"]: [] for image in read["images"]}
+            for one in read["annotations"]:
+                if one["category_id"] in nth and not one.get("iscrowd", 0):
+                    left, top, wide, high = one["bbox"]
+                    of[one["image_id"]].append([left, top, left + wide, top + high, nth[one["category_id"]]])
+            for image in read["images"]:
+                file = folder / image["file_name"]
+                file = file if file.exists() else folder / "images" / image["file_name"]
+                self.pixels.append(np.asarray(Image.open(file).convert("RGB")))
+                rows = np.array(of[image["id"]], np.float32).reshape(-1, 5)
+                self.boxes.append(rows[:, :4])
+                self.labels.append(rows[:, 4].astype(np.int64))
+
+    def __len__(self):
+        return len(self.pixels)
+
+    def crop(self, rng, side):
+        """A square of one picture; of a picture with labels, two times in three about one of them."""
+        nth = int(rng.integers(len(self)))
+        pixels, boxes, labels = self.pixels[nth], self.boxes[nth].copy(), self.labels[nth]
+        high, wide = pixels.shape[:2]
+        if high < side or wide < side:
+            room = np.zeros((max(high, side), max(wide, side), 3), np.uint8)
+            room[:high, :wide] = pixels
+            pixels, (high, wide) = room, room.shape[:2]
+        left, top = rng.integers(0, wide - side + 1), rng.integers(0, high - side + 1)
+        if len(boxes) and rng.random() < 2 / 3:
+            about = boxes[int(rng.integers(len(boxes)))]
+            middle = (about[:2] + about[2:]) / 2 + rng.uniform(-0.4, 0.4, 2) * side
+            left = int(np.clip(middle[0] - side / 2, 0, wide - side))
+            top = int(np.clip(middle[1] - side / 2, 0, high - side))
+        cut = pixels[top : top + side, left : left + side].astype(np.float32) / 255
+        before = sides_of(boxes)
+        boxes = np.clip(boxes - [left, top, left, top], 0, side)
+        after = sides_of(boxes)
+        # What is left of a box has to be a good part of it, or nobody could tell what it is.
+        kept = (after[0] * after[1] > 0.35 * before[0] * before[1]) & (after[0] > 2) & (after[1] > 2)
+        boxes, labels = boxes[kept], labels[kept]
+        for axis in (0, 1):
+            if rng.random() < 0.5:
+                cut = np.flip(cut, 1 - axis)
+                boxes[:, [axis, axis + 2]] = side - boxes[:, [axis + 2, axis]]
+        return self.seen_otherwise(cut, rng), boxes.astype(np.float32), labels
+
+    @staticmethod
+    def seen_otherwise(cut, rng):
+        """Another exposure, another white balance, other noise."""
+        gain = np.exp(rng.normal(0, 0.15)) * np.exp(rng.normal(0, 0.05, 3))
+        cut = np.clip(cut, 1e-3, 1) ** np.exp(rng.normal(0, 0.15)) * gain
+        cut = cut + rng.normal(0, abs(rng.normal(0, 0.01)), cut.shape)
+        return np.clip(cut, 0, 1).astype(np.float32)
+
+
+def as_input(pixels):
+    """H x W x 3, shares, to the network's input."""
+    scaled = (np.ascontiguousarray(pixels) - np.float32(MEAN)) / np.float32(SD)
+    return torch.from_numpy(scaled.astype(np.float32)).permute(2, 0, 1)
+
+
+def batch(pictures, rng, size, side):
+    crops = [pictures.crop(rng, side) for _ in range(size)]
+    return torch.stack([as_input(c[0]) for c in crops]), [torch.from_numpy(c[1]) for c in crops], [
+        torch.from_numpy(c[2]) for c in crops
+    ]

@@ -1,0 +1,162 @@
+#!/usr/bin/python3
+"""Trains the detector of data/detectors on rendered pictures, and writes it as `slackwater detect --by FILE` reads it.
+
+    train.py OUT.yaml --on FOLDER [FOLDER ...] [--kinds corrosion crack] [--seed 1] [--seconds 3000 | --steps 4000]
+
+FOLDER is a set as `slackwater render --dataset` writes it: pictures and their labels as COCO has them. Beside OUT.yaml come
+OUT.onnx (raw heads, opset 11) and OUT.md, the model card. Wants Debian's python3-torch and python3-pil; no GPU. The same seed,
+steps, threads and pictures give the same weights; with --seconds the steps depend on the machine, and the card says how many.
+"""
+
+import argparse
+import copy
+import hashlib
+import math
+import pathlib
+import time
+
+import numpy as np
+import torch
+
+from loss import loss
+from network import STRIDES, Network, parameters
+from pictures import MEAN, SD, Pictures, as_input, batch
+
+SIDE, BATCH, BEST_RATE = 256, 16, 2e-3
+PROOF_SEED, PROOF_SIDE, PROOF_NUMBERS = 7, 64, 16
+
+
+def read_arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("out", type=pathlib.Path, help="the detector's file, OUT.yaml")
+    parser.add_argument("--on", nargs="+", required=True, help="folders of labelled pictures")
+    parser.add_argument("--kinds", nargs="+", default=["corrosion", "crack"])
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seconds", type=float)
+    parser.add_argument("--steps", type=int)
+    parser.add_argument("--threads", type=int, default=2)
+    arguments = parser.parse_args()
+    if (arguments.seconds is None) == (arguments.steps is None):
+        parser.error("expected either --seconds or --steps")
+    if arguments.out.suffix != ".yaml":
+        parser.error(f"found {arguments.out}, expected a name that ends in .yaml")
+    return arguments
+
+
+def trained(pictures, arguments):
+    """The network, a running mean of its weights over the steps, and how many steps it had."""
+    rng = np.random.default_rng(arguments.seed)
+    kinds = len(arguments.kinds)
+    network = Network(kinds)
+    mean = copy.deepcopy(network)
+    optimiser = torch.optim.AdamW(network.parameters(), lr=BEST_RATE, weight_decay=1e-2)
+    begin, step, told = time.monotonic(), 0, 0.0
+    while True:
+        spent = time.monotonic() - begin
+        share = step / arguments.steps if arguments.steps else spent / arguments.seconds
+        if share >= 1:
+            return mean.eval(), step
+        # Up over the first hundredth, down along a cosine.
+        rate = BEST_RATE * min(1.0, 100 * share + 1e-3) * (0.5 + 0.5 * math.cos(math.pi * share))
+        for group in optimiser.param_groups:
+            group["lr"] = rate
+        inputs, boxes, labels = batch(pictures, rng, BATCH, SIDE)
+        wrong = loss(network(inputs), boxes, labels, kinds)
+        optimiser.zero_grad()
+        wrong.backward()
+        torch.nn.utils.clip_grad_norm_(network.parameters(), 5.0)
+        optimiser.step()
+        step += 1
+        keep = min(0.998, step / (step + 10))
+        with torch.no_grad():
+            for ours, theirs in zip(mean.state_dict().values(), network.state_dict().values()):
+                if ours.dtype.is_floating_point:
+                    ours.mul_(keep).add_(theirs, alpha=1 - keep)
+                else:
+                    ours.copy_(theirs)
+        if share - told >= 0.02:
+            told = share
+            print(f"\r{100 * share:3.0f} %  step {step}  loss {float(wrong):.3f}", end="", flush=True)
+
+
+def proof_picture():
+    """The picture of api/perception/network.h: byte k is (2654435761 (k + 1) + 40503 seed mod 2^32) / 2^24."""
+    k = np.arange(PROOF_SIDE * PROOF_SIDE * 3, dtype=np.uint64)
+    numbers = ((2654435761 * (k + 1) + 40503 * PROOF_SEED) % 2**32) >> 24
+    return numbers.reshape(PROOF_SIDE, PROOF_SIDE, 3).astype(np.float64) / 255
+
+
+def proof_of(network):
+    rows = []
+    with torch.no_grad():
+        heads = network(as_input(proof_picture())[None])
+    for head, stride in zip(heads, STRIDES):
+        flat = head.flatten().numpy()
+        at = np.linspace(0, flat.size - 1, PROOF_NUMBERS).astype(int)
+        numbers = ", ".join(f"{float(flat[i]):.6f}" for i in at)
+        rows.append(f"    - {{output: stride_{stride}, at: [{', '.join(map(str, at))}],\n       is: [{numbers}]}}")
+    return "\n".join(rows)
+
+
+def write(network, steps, pictures, arguments):
+    onnx = arguments.out.with_suffix(".onnx")
+    torch.onnx.export(
+        network,
+        torch.zeros(1, 3, SIDE, SIDE),
+        str(onnx),
+        opset_version=11,
+        input_names=["picture"],
+        output_names=[f"stride_{stride}" for stride in STRIDES],
+        dynamic_axes={"picture": {2: "high", 3: "wide"}},
+    )
+    digest = hashlib.sha256(onnx.read_bytes()).hexdigest()
+    grids = "\n".join(f"  - {{output: stride_{stride}, stride_px: {stride}}}" for stride in STRIDES)
+    arguments.out.write_text(
+        f"""# Written by api/perception/train/train.py; see {arguments.out.with_suffix('.md').name} beside it.
+name: {arguments.out.stem}
+source: trained by api/perception/train on pictures rendered by slackwater alone; weights ours
+by: network
+file: {onnx.name}
+sha256: {digest}
+kinds: [{', '.join(arguments.kinds)}]
+input: {{mean: [{', '.join(map(str, MEAN))}], sd: [{', '.join(map(str, SD))}], multiple_of: {STRIDES[-1]}}}
+grids:
+{grids}
+test:
+  seed: {PROOF_SEED}
+  wide: {PROOF_SIDE}
+  high: {PROOF_SIDE}
+  heads:
+{proof_of(network)}
+"""
+    )
+    labelled = [sum(int((labels == nth).sum()) for labels in pictures.labels) for nth in range(len(arguments.kinds))]
+    empty = sum(len(labels) == 0 for labels in pictures.labels)
+    arguments.out.with_suffix(".md").write_text(
+        f"""# {arguments.out.stem}
+
+A detector of {' and '.join(arguments.kinds)} in pictures of steel, {parameters(network):,} parameters, {onnx.stat().st_size:,} bytes.
+
+| | |
+|---|---|
+| made by | `api/perception/train/train.py`, seed {arguments.seed}, {steps:,} steps of {BATCH} crops of {SIDE} pixels |
+| learned from | {len(pictures):,} rendered pictures, {empty:,} without a label; {', '.join(f'{many:,} of {kind}' for kind, many in zip(arguments.kinds, labelled))} |
+| never saw | a real photograph: what it finds in one says nothing until `slackwater detect --score FOLDER` was run on yours |
+| licence | as the program's; no weights of others |
+"""
+    )
+
+
+def main():
+    arguments = read_arguments()
+    torch.manual_seed(arguments.seed)
+    torch.set_num_threads(arguments.threads)
+    torch.use_deterministic_algorithms(True)
+    pictures = Pictures(arguments.on, arguments.kinds)
+    network, steps = trained(pictures, arguments)
+    write(network, steps, pictures, arguments)
+    print(f"\r{arguments.out}: {steps} steps, {parameters(network)} parameters")
+
+
+if __name__ == "__main__":
+    main()
