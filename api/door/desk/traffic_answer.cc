@@ -34,11 +34,13 @@ nlohmann::json traffic_answer(const Listening& listening, const IssuedFields& fo
   const AskedWords words(query, {"at"});
   TrafficQuestion question;
   question.site = site;
-  question.at = words.read_one("at", parse_utc)
-                    .value_or(std::chrono::floor<std::chrono::seconds>(freshness.now()));
+  const UtcTime now = std::chrono::floor<std::chrono::seconds>(freshness.now());
+  question.at = words.read_one("at", parse_utc).value_or(now);
   question.rule = listening.rule;
   fill_place(site, forecasts, store_folder, question);
-  const TrafficHeard heard = listening.logs ? listening.logs->heard(question.at) : TrafficHeard{};
+  // A server whose clock is set back may have a log of what comes: that is not known yet.
+  const UtcTime known = std::min(question.at, now);
+  const TrafficHeard heard = listening.logs ? listening.logs->heard(known) : TrafficHeard{};
   return traffic_json(question, heard, traffic_about(question, heard));
 }
 

@@ -108,6 +108,8 @@ export function vessels_layer(
     show();
   };
 
+  /** Nobody listens: another hour has no vessels either. */
+  const is_deaf = (): boolean => traffic !== null && traffic.sources.length === 0;
   desk.onChange((changed) => {
     const is_other_site = changed.has('site');
     if (is_other_site) {
@@ -116,8 +118,9 @@ export function vessels_layer(
     }
     if (!can_ask()) return;
     const is_first = !has_asked; // until the server has told its clock, nobody knows what now is
-    if (is_first || is_other_site || changed.has('at_ms') || changed.has('server')) {
-      if (changed.has('at_ms')) forget(); // what was heard at another hour
+    const is_other_hour = changed.has('at_ms') && !is_deaf();
+    if (is_first || is_other_site || is_other_hour || changed.has('server')) {
+      if (is_other_hour) forget(); // what was heard at another hour
       has_asked = true;
       ask_soon(is_first || is_other_site ? 0 : wait_ms);
     }

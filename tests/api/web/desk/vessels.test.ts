@@ -147,8 +147,10 @@ test('WithoutALogItSaysOnceWhatToDoAndIsQuiet', async () => {
   expect(layer.list.querySelector('summary')?.textContent).toBe('Vessels: no AIS log is given');
   expect(layer.says.hidden).toBe(true);
   desk.view.tell(new Set(['sites']));
+  desk.view.set({ at_ms: Date.parse(TIMES[1] ?? '') }); // the slider stays without a question
   await soon();
   expect(waiting).toEqual([]);
+  expect(list_text()).toContain('--ais');
 });
 
 test('NothingIsAskedBeforeTheServerHasToldItsClock', async () => {
