@@ -23,9 +23,9 @@ struct LogFollowing {
 /// then, and what was added is read where a file's size or time has changed. One that was rotated,
 /// truncated or replaced is read from its beginning; what was heard before stays known.
 ///
-/// What is wrong with a file is a sentence, and never ends or holds up the server: one that is gone,
-/// is a pipe or a device (it is opened without waiting), holds no AIS, or breaks off in a line.
-/// Thread-safe; questions wait for no file.
+/// What is wrong with a file is a sentence, and never ends or holds up the server: one that is
+/// gone, is a pipe or a device (it is opened without waiting), holds no AIS, or breaks off in a
+/// line. Thread-safe; questions wait for no file.
 class FollowedLogs {
  public:
   explicit FollowedLogs(std::vector<std::filesystem::path> files, LogFollowing following = {});

@@ -1,6 +1,6 @@
-// A vessel on the map: a hull with its bow ahead, filled where its report is fresh, hollow and dashed
-// where it is old; a ring and a mark of exclamation where it will pass too near. Bearings are
-// clockwise from north.
+// A vessel on the map: a hull with its bow ahead, filled where its report is fresh, hollow where it
+// is old; a ring and a mark of exclamation where it will pass too near. Bearings are clockwise from
+// north.
 import { drawn } from '../../look/element';
 import { is_known } from '../look/units';
 import type { Vessel } from '../server/traffic';

@@ -71,7 +71,8 @@ export function last_heard_words({ at, last_heard }: Traffic, look: Look): strin
   if (last_heard === null) return 'Nothing was heard by then.';
   const heard_ms = Date.parse(last_heard);
   const before = short_span((Date.parse(at) - heard_ms) / 1000);
-  return `The receiver last heard something at ${look.time(heard_ms)} ${look.zone_name}, ${before} before.`;
+  const at_time = `${look.time(heard_ms)} ${look.zone_name}`;
+  return `The receiver last heard something at ${at_time}, ${before} before.`;
 }
 
 /** How things stand, as the list begins. */

@@ -13,8 +13,8 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// The server knows what it heard in the tests before: each has vessels of its own, and the one that
-/// is held against the command is of an earlier hour than all others.
+/// The server knows what it heard in the tests before: each has vessels of its own, and the one
+/// that is held against the command is of an earlier hour than all others.
 class DeskTraffic : public DeskServed {
  protected:
   void SetUp() override {
