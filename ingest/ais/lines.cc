@@ -6,6 +6,14 @@ namespace slackwater::ingest {
 
 Lines::Lines(const std::filesystem::path& file) : bytes_(file) {}
 
+void Lines::go_to(std::uint64_t offset, std::uint64_t end) {
+  bytes_.go_to(offset > 0 ? offset - 1 : 0, end);
+  block_.clear();
+  at_ = 0;
+  if (offset > 0) (void)next();  // the rest of the line before
+  number_ = 0;
+}
+
 std::optional<TextLine> Lines::next() {
   line_.clear();
   bool is_too_long = false;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -27,6 +28,11 @@ class Lines {
   /// @throws as `ByteSource`
   explicit Lines(const std::filesystem::path& file);
   [[nodiscard]] std::optional<TextLine> next();
+
+  [[nodiscard]] bool is_packed() const noexcept { return bytes_.is_packed(); }
+  /// The next line is the first that begins at this byte or behind it, and the last one ends at
+  /// `end`. Lines are counted from there. Of a file that is not packed.
+  void go_to(std::uint64_t offset, std::uint64_t end);
 
  private:
   ByteSource bytes_;

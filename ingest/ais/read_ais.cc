@@ -93,6 +93,18 @@ AisReading read_sentences(Lines& lines, const TextLine& first, const OnReport& o
   return reading;
 }
 
+/// @throws Error(invalid_input) for a table of others
+bool is_known_table(const TextLine& first) {
+  const bool is_table = !first.is_too_long && AisTable::is_header(first.text);
+  if (is_table || !AisTable::looks_like_one(first.text)) return is_table;
+  throw Error(ErrorKind::invalid_input,
+              "found a table with the columns " +
+                  joined(fields_of_csv(first.text.substr(0, 200)), ", ") +
+                  "; expected those of MarineCadastre.gov (mmsi, base_date_time, latitude, "
+                  "longitude) or of the Danish Maritime Authority (# Timestamp, Type of mobile, "
+                  "MMSI, Latitude, Longitude): rename them");
+}
+
 }  // namespace
 
 std::vector<std::string> AisReading::warnings() const {
@@ -135,16 +147,7 @@ AisReading read_ais(const std::filesystem::path& file, const OnReport& on_report
     Lines lines(file);
     const auto first = lines.next();
     if (!first) throw Error(ErrorKind::invalid_input, "found an empty file; expected AIS");
-    const bool is_table = !first->is_too_long && AisTable::is_header(first->text);
-    if (!is_table && AisTable::looks_like_one(first->text)) {
-      throw Error(
-          ErrorKind::invalid_input,
-          "found a table with the columns " +
-              joined(fields_of_csv(first->text.substr(0, 200)), ", ") +
-              "; expected those of MarineCadastre.gov (mmsi, base_date_time, latitude, "
-              "longitude) or of the Danish Maritime Authority (# Timestamp, Type of mobile, "
-              "MMSI, Latitude, Longitude): rename them");
-    }
+    const bool is_table = is_known_table(*first);
     AisReading reading = is_table ? read_table(lines, std::string(first->text), on_report)
                                   : read_sentences(lines, *first, on_report, decoder, assume_utc);
     if (reading.messages == 0) {
@@ -164,6 +167,23 @@ AisReading read_ais(const std::filesystem::path& file, const OnReport& on_report
               "Authority");
     }
     return reading;
+  });
+}
+
+AisReading read_ais_part(const std::filesystem::path& file, const AisPart& part,
+                         const OnReport& on_report, const FilterProgram& decoder, bool assume_utc) {
+  return with_context("reading AIS of " + file.string(), [&] {
+    Lines lines(file);
+    if (lines.is_packed())
+      refuse("found a packed file, expected a log as a receiver writes it; unpack it");
+    auto line = lines.next();
+    if (!line) return AisReading{};
+    const bool is_table = is_known_table(*line);
+    const std::string header = is_table ? std::string(line->text) : std::string();
+    lines.go_to(is_table ? std::max<std::uint64_t>(part.from, 1) : part.from, part.to);
+    if (is_table) return read_table(lines, header, on_report);
+    line = lines.next();
+    return line ? read_sentences(lines, *line, on_report, decoder, assume_utc) : AisReading{};
   });
 }
 

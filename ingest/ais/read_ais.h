@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +42,20 @@ struct AisReading {
 AisReading read_ais(const std::filesystem::path& file,
                     const std::function<void(const AisReport&)>& on_report,
                     const FilterProgram& decoder = gpsdecode_program(), bool assume_utc = false);
+
+/// A part of a log: the lines that begin at `from` or behind it, up to `to`, in bytes.
+struct AisPart {
+  std::uint64_t from = 0;
+  std::uint64_t to = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// The same of a part of a log that somebody goes on writing. It may hold no message, and its last
+/// line may not be whole. @throws as `read_ais`, but not for want of messages; and for a file that
+/// is packed
+AisReading read_ais_part(const std::filesystem::path& file, const AisPart& part,
+                         const std::function<void(const AisReport&)>& on_report,
+                         const FilterProgram& decoder = gpsdecode_program(),
+                         bool assume_utc = false);
 
 /// What to keep of a log.
 struct AisTrackOptions {

@@ -152,6 +152,36 @@ std::string_view name_of_ais_type(int type) noexcept {
   return names[static_cast<std::size_t>(type)];
 }
 
+std::string_view kind_of_ship_type(int type) noexcept {
+  constexpr std::array<std::string_view, 10> thirties{
+      "fishing vessel", "towing vessel",  "towing vessel",  "dredger", "diving vessel",
+      "military ship",  "sailing vessel", "pleasure craft", "",        ""};
+  constexpr std::array<std::string_view, 10> fifties{
+      "pilot vessel",          "search and rescue vessel",    "tug",          "port tender",
+      "anti-pollution vessel", "law enforcement vessel",      "local vessel", "local vessel",
+      "medical transport",     "ship not party to a conflict"};
+  if (type < 20 || type > 99) return "";
+  const auto ones = static_cast<std::size_t>(type % 10);
+  switch (type / 10) {
+    case 2:
+      return "wing-in-ground craft";
+    case 3:
+      return thirties[ones];
+    case 4:
+      return "high-speed craft";
+    case 5:
+      return fifties[ones];
+    case 6:
+      return "passenger ship";
+    case 7:
+      return "cargo ship";
+    case 8:
+      return "tanker";
+    default:
+      return "other ship";
+  }
+}
+
 std::optional<std::string> clean_ais_text(std::string_view text) {
   constexpr std::size_t most_characters = 20;  // a name; ITU-R M.1371 tables 52, 69
   std::string result;

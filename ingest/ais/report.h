@@ -26,6 +26,10 @@ enum class AisClass : std::uint8_t {
 /// have.
 [[nodiscard]] std::string_view name_of_ais_type(int type) noexcept;
 
+/// "cargo ship", "tug": what a ship type of ITU-R M.1371-5, table 53, means; empty for one that it
+/// does not have.
+[[nodiscard]] std::string_view kind_of_ship_type(int type) noexcept;
+
 /// What a vessel says of itself; what it does not say, or says is not available, is absent.
 struct AisIdentity {
   std::optional<std::string> name;  ///< printable ASCII, at most 20 characters

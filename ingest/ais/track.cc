@@ -10,17 +10,6 @@ void renew(std::optional<Value>& known, const std::optional<Value>& heard) {
   if (heard) known = heard;
 }
 
-void renew(AisIdentity& known, const AisIdentity& heard) {
-  renew(known.name, heard.name);
-  renew(known.callsign, heard.callsign);
-  renew(known.ship_type, heard.ship_type);
-  renew(known.imo, heard.imo);
-  renew(known.length_m, heard.length_m);
-  renew(known.beam_m, heard.beam_m);
-  renew(known.antenna_from_bow_m, heard.antenna_from_bow_m);
-  renew(known.antenna_from_port_m, heard.antenna_from_port_m);
-}
-
 /// Sorted, one position at a time.
 void settle(std::vector<AisPosition>& positions) {
   std::stable_sort(positions.begin(), positions.end(),
@@ -32,6 +21,17 @@ void settle(std::vector<AisPosition>& positions) {
 }
 
 }  // namespace
+
+void renew(AisIdentity& known, const AisIdentity& heard) {
+  renew(known.name, heard.name);
+  renew(known.callsign, heard.callsign);
+  renew(known.ship_type, heard.ship_type);
+  renew(known.imo, heard.imo);
+  renew(known.length_m, heard.length_m);
+  renew(known.beam_m, heard.beam_m);
+  renew(known.antenna_from_bow_m, heard.antenna_from_bow_m);
+  renew(known.antenna_from_port_m, heard.antenna_from_port_m);
+}
 
 UtcTime time_of_position(UtcTime received, const std::optional<int>& utc_second) noexcept {
   if (!utc_second) return received;

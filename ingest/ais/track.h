@@ -41,6 +41,9 @@ struct AisTrack {
   std::vector<AisPosition> positions;
 };
 
+/// What is known of a vessel, with what was heard in place of what was known.
+void renew(AisIdentity& known, const AisIdentity& heard);
+
 /// Sorts reports to vessels.
 class AisTrackCollector {
  public:

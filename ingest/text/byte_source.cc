@@ -2,10 +2,13 @@
 
 #include <zstd.h>
 
+#include <algorithm>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "ingest/text/packed.h"
 
@@ -26,12 +29,14 @@ struct ByteSource::State {
   std::string packed{};
   std::size_t at = 0;         ///< of `packed`
   bool frame_is_open = true;  ///< the frame that is unpacked has not ended
+  std::uint64_t to_read = std::numeric_limits<std::uint64_t>::max();  ///< of the file's bytes
 
   /// Up to a block of the file's own bytes.
   void read(std::string& block) {
-    block.resize(block_bytes);
-    file.read(block.data(), static_cast<std::streamsize>(block_bytes));
+    block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(block_bytes, to_read)));
+    file.read(block.data(), static_cast<std::streamsize>(block.size()));
     block.resize(static_cast<std::size_t>(file.gcount()));
+    to_read -= block.size();
   }
 
   void unpack(std::string& block) {
@@ -86,6 +91,15 @@ void ByteSource::next(std::string& block) {
   } else {
     state_->read(block);
   }
+}
+
+bool ByteSource::is_packed() const noexcept { return state_->unpacker != nullptr; }
+
+void ByteSource::go_to(std::uint64_t offset, std::uint64_t end) {
+  expects(!is_packed(), "a place in a file that is not packed");
+  state_->file.clear();
+  state_->file.seekg(static_cast<std::streamoff>(offset));
+  state_->to_read = end > offset ? end - offset : 0;
 }
 
 }  // namespace slackwater::ingest

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -20,6 +21,10 @@ class ByteSource {
   /// Puts the next bytes into `block`; none at the end.
   /// @throws Error(invalid_input) where a packed file is damaged or ends early
   void next(std::string& block);
+
+  [[nodiscard]] bool is_packed() const noexcept;
+  /// The next bytes are those from here on, and none from `end` on. Of a file that is not packed.
+  void go_to(std::uint64_t offset, std::uint64_t end);
 
  private:
   struct State;

@@ -2,7 +2,9 @@
 // clicks, and every number on it what the server answers. Exit 77 where the program was built without the page's script.
 import { strict as assert } from "node:assert";
 import { spawn } from "node:child_process";
+import { mkdtempSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
 const [modules, program, store] = process.argv.slice(2);
@@ -29,13 +31,22 @@ async function serve(...more) {
 let { server, address } = await serve();
 const script = await (await fetch(`${address}/desk/page.js`)).text();
 const [{ id, forecast }] = (await json(`${address}/sites`)).sites;
-server.kill();
 if (script === "") {
+  server.kill();
   console.log("skipped: the program was built without the page's script");
   process.exit(77);
 }
 const at = new Date(Date.parse(forecast.issued) + 3_600_000).toISOString().replace(/\.\d+Z$/, "Z");
-({ server, address } = await serve("--at", at));
+// A ship on its way to the site, slow enough for its last report to stay fresh.
+const { place } = await json(`${address}/sites/${id}`);
+server.kill();
+const heard = join(mkdtempSync(join(tmpdir(), "desk-questions-")), "heard.csv");
+writeFileSync(
+  heard,
+  "MMSI,BaseDateTime,LAT,LON,SOG,COG,Heading,VesselName,VesselType,Length,Width,TransceiverClass\n" +
+    `227000001,${at.slice(0, -1)},${place.latitude_deg - 0.0135},${place.longitude_deg},2.9,0,0,<b>SLOW & NEAR</b>,70,90,14,A\n`,
+);
+({ server, address } = await serve("--at", at, "--ais", heard));
 const browser = await puppeteer.launch({
   executablePath: process.env.SLACKWATER_BROWSER,
   headless: true,
@@ -133,6 +144,16 @@ try {
       const { sea_water_speed: speed, sea_water_velocity_to_direction: to } = await edr("currents", { z: "20", datetime: hour });
       await shows((said) => document.querySelector(".facts")?.innerText.includes(said), `${speed.toFixed(2)} m/s to ${degrees(to)}`);
       assert.match(await facts(), /Current at 20 m/);
+    },
+    "What ship comes too near?": async () => {
+      await shows(() => document.querySelector(".vessel-list summary")?.textContent.includes("1 marked"));
+      await click(await page.$(".vessel-list summary"));
+      const [vessel] = (await json(`${address}/sites/${id}/traffic`)).vessels;
+      assert.equal(vessel.alarm, "closing");
+      const said = await page.$eval(".vessel-list tbody tr", (row) => row.innerText.replace(/\s+/g, " "));
+      assert.ok(said.includes("<b>SLOW & NEAR</b>"), said); // text, and no more
+      assert.ok(said.includes(`${Math.round(vessel.told.cpa_m)} m from`), said);
+      assert.match(said, /in 1\d min ! nearer than 500 m within 30 min 1\.5 m\/s to 000°/);
     },
     "When is slack at 20 m?": async () => {
       await tab("Water at the place");

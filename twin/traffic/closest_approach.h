@@ -26,4 +26,9 @@ struct ClosestApproach {
 [[nodiscard]] ClosestApproach closest_approach(const MovingPoint& own,
                                                const MovingPoint& other) noexcept;
 
+/// The same over all times: `time_s` is negative where they were nearest before now, and
+/// `distance_m` is that of then. 0 and the distance now where v = 0.
+[[nodiscard]] ClosestApproach closest_of_all_times(const MovingPoint& own,
+                                                   const MovingPoint& other) noexcept;
+
 }  // namespace slackwater::twin

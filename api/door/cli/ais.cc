@@ -5,10 +5,15 @@
 
 #include "api/door/cli/command.h"
 #include "api/door/cli/output_file.h"
+#include "api/door/cli/traffic_options.h"
+#include "api/program/paths.h"
+#include "api/show/traffic/traffic_json.h"
+#include "api/show/traffic/traffic_words.h"
 #include "fields/base/csv.h"
 #include "fields/base/text.h"
 #include "fields/base/turn.h"
 #include "fields/base/whole_file.h"
+#include "fields/site/site.h"
 #include "ingest/ais/read_ais.h"
 
 namespace slackwater::api {
@@ -137,6 +142,40 @@ std::string vessel_csv(const std::string& file, const AisTrack& track) {
   return line + "\n";
 }
 
+struct AboutSite {
+  std::string site;
+  AlarmWords alarm;
+};
+
+/// Who is about a site, by all that the logs hold up to a time.
+void run_about_site(const std::vector<std::string>& files, const AboutSite& about, bool assume_utc,
+                    const Context& context) {
+  const Site site = find_site(about.site, site_folders(context.store_folder));
+  TrafficQuestion question{site.id, site.point, site.turbines, {}, traffic_rule(about.alarm)};
+  question.at =
+      context.at.empty() ? std::chrono::floor<std::chrono::seconds>(context.now()) : context.now();
+  HeardVessels vessels;
+  TrafficHeard heard;
+  for (const std::string& file : files) {
+    const ingest::AisReading reading = ingest::read_ais(
+        file, [&](const ingest::AisReport& report) { vessels.add(report); },
+        ingest::gpsdecode_program(), assume_utc);
+    for (const std::string& warning : reading.warnings())
+      std::fprintf(stderr, "slackwater: %s: %s\n", file.c_str(), warning.c_str());
+    heard.sources.push_back({std::filesystem::path(file).filename().string(), {}});
+  }
+  heard.vessels = vessels.known_at(question.at);
+  heard.last = vessels.last_received(question.at);
+  heard.first = vessels.first();
+  const TrafficAnswer answer = traffic_about(question, heard);
+  const std::string text = context.json
+                               ? traffic_json(question, heard, answer)
+                                         .dump(2, ' ', false, json::error_handler_t::replace) +
+                                     "\n"
+                               : traffic_text(question, heard, answer);
+  std::fputs(text.c_str(), stdout);
+}
+
 void run_ais(const std::vector<std::string>& files, const ingest::AisTrackOptions& options,
              const std::filesystem::path& csv, const Context& context) {
   expect_output("--csv", csv, {".csv"});
@@ -188,6 +227,7 @@ void add_ais(CLI::App& app, Context& context) {
     std::uint32_t mmsi = 0;
     bool assume_utc = false;
     std::filesystem::path csv;
+    AboutSite about;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("ais", "The vessels in logs of AIS");
@@ -205,7 +245,19 @@ void add_ais(CLI::App& app, Context& context) {
                     "times that a log states without a zone are UTC");
   command->add_option("--mmsi", arguments->mmsi, "one vessel");
   command->add_option("--csv", arguments->csv, "the list as FILE.csv, a row a vessel");
+  CLI::Option* site =
+      command->add_option("--site", arguments->about.site,
+                          "who is about this site, with closest approaches (id, or FILE.yaml)");
+  command->add_option("--at", context.at, "at this time, UTC (with --site; default: the clock)")
+      ->needs(site);
+  add_alarm_options(*command, arguments->about.alarm);
+  for (const char* name : {"--bbox", "--from", "--to", "--mmsi", "--csv"})
+    site->excludes(command->get_option(name));
   command->callback([arguments, &context] {
+    if (!arguments->about.site.empty()) {
+      run_about_site(arguments->files, arguments->about, arguments->assume_utc, context);
+      return;
+    }
     ingest::AisTrackOptions options;
     if (!arguments->box.empty()) {
       const auto& b = arguments->box;

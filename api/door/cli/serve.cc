@@ -6,6 +6,7 @@
 #include "api/door/cli/command.h"
 #include "api/door/cli/serve_health.h"
 #include "api/door/cli/stop_signals.h"
+#include "api/door/cli/traffic_options.h"
 #include "api/door/desk/desk_routes.h"
 #include "api/door/desk/interface_document.h"
 #include "api/door/desk/page_routes.h"
@@ -30,6 +31,8 @@ struct ServeArguments {
   std::string base_url;
   std::string stale_after, at;
   std::string sessions;
+  std::vector<std::string> ais;
+  AlarmWords alarm;
   std::optional<int> domain;
   bool loopback = false;
   bool udp_only = false;
@@ -105,6 +108,16 @@ std::shared_ptr<sessions::SessionHost> session_host(const ServeArguments& argume
                                                  [&context] { return context.now(); });
 }
 
+/// The logs of AIS, where any were given.
+desk::Listening listening(const ServeArguments& arguments) {
+  desk::Listening to;
+  to.rule = traffic_rule(arguments.alarm);
+  if (!arguments.ais.empty())
+    to.logs = std::make_shared<desk::FollowedLogs>(
+        std::vector<std::filesystem::path>(arguments.ais.begin(), arguments.ais.end()));
+  return to;
+}
+
 /// As many stations at each session as a server of one session takes.
 http::Limits limits_for(std::size_t sessions_at_once) {
   http::Limits limits;
@@ -134,7 +147,8 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   edr::Beside beside{desk::interface_document(), desk::front_page};
   desk::add_page_routes(router);
   desk::add_routes(router, {forecasts, freshness, context.store_folder, data_folder(),
-                            static_cast<std::size_t>(arguments.threads), arguments.at.empty()});
+                            static_cast<std::size_t>(arguments.threads), arguments.at.empty(),
+                            listening(arguments)});
   if (people) {
     beside.interface.merge_patch(sessions::interface_document());
     sessions::add_routes(router, people);
@@ -201,6 +215,12 @@ void add_serve(CLI::App& app, Context& context) {
   command->add_option("--at", arguments->at,
                       "show this time and go on from there, UTC, for training and tests (default: "
                       "the machine's clock)");
+  command
+      ->add_option("--ais", arguments->ais,
+                   "log of AIS that a receiver writes, as `ais` reads it: its vessels stand on "
+                   "the desk's map; again for more")
+      ->allow_extra_args(false);
+  add_alarm_options(*command, arguments->alarm);
   command->add_option("--sessions", arguments->sessions,
                       "live sessions that people may begin and take part in (page /session), and "
                       "their tokens, as FILE.yaml");

@@ -27,6 +27,7 @@ using nlohmann::json;
 
 /// A forecast may be replaced within seconds.
 constexpr int answer_max_age_s = 10;
+constexpr int traffic_max_age_s = 1;  // ships move
 
 Response json_response(const json& body) {
   Response response;
@@ -130,6 +131,14 @@ void add_routes(http::Router& router, const DeskSettings& settings) {
       [settings](const Request& request, const PathParameters& path) -> Outcome {
         return json_response(slack_answer(*settings.forecasts, path.at("site"), request.query));
       });
+  router.add("GET", "/sites/{site}/traffic",
+             [settings](const Request& request, const PathParameters& path) -> Outcome {
+               Response response = json_response(
+                   traffic_answer(settings.listening, *settings.forecasts, settings.freshness,
+                                  settings.store_folder, path.at("site"), request.query));
+               response.max_age_s = traffic_max_age_s;
+               return response;
+             });
   router.add("GET", "/sites/{site}/report.html",
              [settings](const Request&, const PathParameters& path) -> Outcome {
                return report_page(path.at("site"), settings.store_folder, settings.freshness.now());

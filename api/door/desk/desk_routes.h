@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "api/door/desk/traffic_answer.h"
 #include "api/door/http/router.h"
 #include "api/issued/site_state.h"
 
@@ -14,13 +15,14 @@ struct DeskSettings {
   std::filesystem::path store_folder, data_folder;
   std::size_t missions_at_once = 1;
   bool by_clock = true;  ///< `freshness.now` is the machine's clock, and not one that somebody set
+  Listening listening{};
 };
 
 /// What people decide from, as the commands answer it:
 ///
 ///     GET /sites, /sites/{site}, /sites/{site}/{windows,report,plan,verification,sources,
 ///                                               decisions,workability,climate,bed,
-///                                               slack,texts}
+///                                               slack,traffic,texts}
 ///     POST /sites/{site}/what-if
 ///     POST /sites/{site}/decisions: the only one that writes to the store
 ///     GET, POST /missions    GET /missions/{mission}    POST /missions/{mission}/cancel

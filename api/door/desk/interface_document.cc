@@ -213,6 +213,12 @@ json paths() {
                                  {"below", "Likely speed, m/s; default 0.5", "0.5"},
                                  {"longitude", "Degrees; default the first column", "-2.55"},
                                  {"latitude", "Degrees; default the first column", "48.85"}})},
+      {at + "/traffic",
+       answer_of("get_traffic", "What vessels are about a site, with their closest approaches",
+                 "slackwater ais FILE --site SITE --at TIME --json",
+                 {{"at", "UTC; default the server's now. Nothing that was heard later is used",
+                   "2025-03-14T06:00:00Z"}},
+                 "Traffic")},
       {at + "/texts", answer_of("get_texts", "The YAML of site, tasks and plan",
                                 "people wrote them", {}, "Texts")},
       {at + "/what-if", what_if()}};
@@ -239,6 +245,52 @@ json decision_schema() {
   return out;
 }
 
+json nullable(json schema) {
+  schema["nullable"] = true;
+  return schema;
+}
+json real() { return {{"type", "number"}}; }
+
+json traffic_schema() {
+  const json place = object({{"longitude_deg", real()}, {"latitude_deg", real()}});
+  const json passing{{"type", "string"}, {"enum", json::array({"closing", "past", "still"})}};
+  const json approach = object({{"turbine", nullable(text())},
+                                {"passing", passing},
+                                {"cpa_m", real()},
+                                {"tcpa_s", real()},
+                                {"in_words", text()}});
+  const json vessel = object(
+      {{"mmsi", {{"type", "integer"}}},
+       {"name", nullable(text())},
+       {"kind", nullable(text())},
+       {"length_m", nullable(real())},
+       {"state", {{"type", "string"}, {"enum", json::array({"fresh", "old"})}}},
+       {"longitude_deg", real()},
+       {"latitude_deg", real()},
+       {"dead_reckoned", {{"type", "boolean"}}},
+       {"age_s", real()},
+       {"speed_m_s", nullable(real())},
+       {"to_direction_deg", nullable(real())},
+       {"heading_deg", nullable(real())},
+       {"distance_m", real()},
+       {"bearing_deg", real()},
+       {"ahead", nullable(place)},
+       {"to_site", nullable(approach)},
+       {"to_turbine", nullable(approach)},
+       {"told", nullable(approach)},
+       {"alarm", nullable({{"type", "string"}, {"enum", json::array({"closing", "inside"})}})}});
+  return object({{"site", text()},
+                 {"at", text()},
+                 {"in_words", text()},
+                 {"sources", list_of(object({{"file", text()}, {"trouble", nullable(text())}}))},
+                 {"last_heard", nullable(text())},
+                 {"limits", object({{"cpa_m", real()}, {"tcpa_s", real()}})},
+                 {"rule", {{"type", "object"}}},
+                 {"vessels", list_of(vessel)},
+                 {"too_old", {{"type", "integer"}}},
+                 {"left_out", {{"type", "integer"}}}});
+}
+
 json schemas() {
   const json texts = object({{"site", text()},
                              {"tasks", {{"type", "object"}, {"additionalProperties", text()}}},
@@ -247,6 +299,7 @@ json schemas() {
           {"Answer", {{"type", "object"}}},
           {"Skill", list_of({{"type", "object"}})},
           {"Texts", texts},
+          {"Traffic", traffic_schema()},
           {"WhatIf", object({{"texts", texts}, {"query", text()}})},
           {"Decision", decision_schema()},
           {"WhatIfAnswer", object({{"windows", {{"type", "object"}}},

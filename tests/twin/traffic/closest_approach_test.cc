@@ -113,5 +113,45 @@ TEST(ClosestApproach, DoesNotCareWhoseItIsNorWhereNorHowFastTheWaterCarriesBoth)
   }
 }
 
+TEST(ClosestOfAllTimes, HeadOnCrossingOvertakingAtRestAndParallelAreAsOnPaper) {
+  struct Case {
+    const char* what;
+    MovingPoint other;
+    double time_s, distance_m;
+    bool is_closing;
+  };
+  const MovingPoint own{{0, 0, 0}, {4, 0, 0}};  // north at 4 m/s
+  for (const Case& paper : {
+           Case{"head-on, 100 m to starboard", {{1000, 100, 0}, {-6, 0, 0}}, 100, 100, true},
+           Case{"crossing: both at (400, 0)", {{400, 300, 0}, {0, -3, 0}}, 100, 0, true},
+           Case{"overtaking at 60 m", {{-300, 60, 0}, {7, 0, 0}}, 100, 60, true},
+           Case{"it lies at rest ahead", {{800, -50, 0}, {0, 0, 0}}, 200, 50, true},
+           Case{"parallel, the same speed", {{30, 40, 0}, {4, 0, 0}}, 0, 50, false},
+           Case{"passed 50 s ago at 80 m", {{-500, 80, 0}, {-6, 0, 0}}, -50, 80, false},
+           Case{"in the same place, parting", {{0, 0, 0}, {0, 5, 0}}, 0, 0, false},
+       }) {
+    const ClosestApproach found = closest_of_all_times(own, paper.other);
+    EXPECT_NEAR(found.time_s, paper.time_s, 1e-12) << paper.what;
+    EXPECT_NEAR(found.distance_m, paper.distance_m, 1e-12) << paper.what;
+    EXPECT_EQ(found.is_closing, paper.is_closing) << paper.what;
+  }
+}
+
+TEST(ClosestOfAllTimes, NoTimeIsNearerAndTimeRunsBothWays) {
+  Rng rng(5, "tests/closest_of_all_times");
+  for (int round = 0; round < 500; ++round) {
+    const MovingPoint a = random_point(rng), b = random_point(rng);
+    const ClosestApproach found = closest_of_all_times(a, b);
+    EXPECT_NEAR(distance_after(a, b, found.time_s), found.distance_m, 1e-7);
+    for (const double step_s : {-1000.0, -1.0, 1.0, 1000.0})
+      EXPECT_GE(distance_after(a, b, found.time_s + step_s), found.distance_m - 1e-7) << round;
+    MovingPoint back_a = a, back_b = b;
+    for (MovingPoint* point : {&back_a, &back_b}) point->velocity_m_s = -1.0 * point->velocity_m_s;
+    EXPECT_NEAR(closest_of_all_times(back_a, back_b).time_s, -found.time_s, 1e-9) << round;
+    const ClosestApproach to_come = closest_approach(a, b);
+    EXPECT_EQ(to_come.time_s, std::max(0.0, found.time_s)) << "what is over is now";
+  }
+}
+
 }  // namespace
 }  // namespace slackwater::tests::closest_approach_test

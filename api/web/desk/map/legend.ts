@@ -3,9 +3,10 @@ import type { Desk } from '../look/desk';
 import { drawn, element, set_hidden, set_text } from '../../look/element';
 import type { Bed } from './bed';
 import { current_arrow, wave_arrow, wind_barb } from './arrows';
+import { vessel_sign, way_sign } from './vessel_signs';
 
 const LEGEND_M_S = 0.5;
-export type Layer = 'current' | 'wind' | 'waves' | 'bed' | 'names';
+export type Layer = 'current' | 'wind' | 'waves' | 'vessels' | 'bed' | 'names';
 export type Shown = Record<Layer, boolean>;
 
 export function legend(
@@ -25,6 +26,7 @@ export function legend(
     ['wind', wind_barb(7.7, 270), words('Wind at 10 m, from: the staff stands to windward')],
     ['waves', wave_arrow(1, 270), words('Waves, from: the arrow comes in; longer is higher')],
     ['bed', contour_sign(), bed],
+    ['vessels', vessel_legend(), words('Vessels by AIS; the dashes are the way ahead, to')],
     ['names', null, words('Names and values')],
   ];
   const node = element('details', { class: 'legend' }, element('summary', {}, 'Legend'));
@@ -37,6 +39,8 @@ export function legend(
     node.append(element('label', { class: 'check' }, box, sign_of(sign, layer), text));
   }
   node.append(
+    fixed(vessel_sign({ ...SHIP, state: 'old' }), 'Vessel whose last report is old, where it was'),
+    fixed(vessel_sign({ ...SHIP, alarm: 'closing' }), 'Vessel that will pass or lies too near'),
     fixed(drawn('circle', { class: 'column', r: 4 }), 'Column of the forecast, with its bed depth'),
     fixed(turbine_sign(225), 'Turbine; the bar is the side of its boat landing'),
     fixed(port_sign(), 'Port of a vessel of the plan'),
@@ -74,13 +78,26 @@ export function legend(
   return { node, say, say_bed };
 }
 
+const SHIP = {
+  state: 'fresh',
+  class: 'A',
+  alarm: null,
+  heading_deg: 90,
+  to_direction_deg: 90,
+} as const;
+
+function vessel_legend(): SVGElement {
+  const moved = { transform: 'translate(-10 0)' };
+  return drawn('g', moved, way_sign(30, 0), vessel_sign(SHIP));
+}
+
 function words(text: string): HTMLElement {
   return element('span', {}, text);
 }
 
 function sign_of(sign: SVGElement | null, layer: Layer): SVGElement | string {
   if (sign === null) return '';
-  const offset = layer === 'bed' ? 0 : layer === 'current' ? -24 : 24;
+  const offset = layer === 'bed' || layer === 'vessels' ? 0 : layer === 'current' ? -24 : 24;
   return drawn(
     'svg',
     { class: 'sign', viewBox: '-22 -12 44 24', 'aria-hidden': 'true' },

@@ -13,6 +13,7 @@ import { coast_path, fetch_coast } from './coast';
 import { column_table } from './column_table';
 import { fetch_field, weather_at, type Field, type Weather } from './field';
 import { listen_to_hands } from './hands';
+import { beside, box_around, boxes_of_texts } from './labels';
 import { legend, type Shown } from './legend';
 import {
   fit,
@@ -26,8 +27,10 @@ import {
 import { draw_place, draw_things, draw_water, screen } from './scene';
 import { draw_trial } from './trial_signs';
 import { depth_choice, place_choice } from './tools';
+import { vessels_layer } from './vessels_layer';
 
 const SNAP_PX = 14;
+const THING_PX = 8; // half of a sign that no name covers
 const LOOK_AGAIN_MS = 600_000; // zones come into force
 const TRY_AGAIN_MS = 20_000;
 const COAST_ZOOM = 8.5; // some hundred kilometres
@@ -40,13 +43,21 @@ export function mapPart(desk: Desk): HTMLElement {
   let field = NO_FIELD;
   let bed: Bed | null = null;
   let size = { width: 0, height: 0 };
-  const shown: Shown = { current: true, wind: true, waves: true, bed: true, names: true };
+  const shown: Shown = {
+    current: true,
+    wind: true,
+    waves: true,
+    vessels: true,
+    bed: true,
+    names: true,
+  };
 
   const coast = drawn('path', { class: 'land' });
   const depths = drawn('g', { class: 'bed' });
   const [things, trial] = [drawn('g'), drawn('g')];
   const [water, place] = [drawn('g', { class: 'water' }), drawn('g')];
   const cells = cells_layer(desk);
+  const vessels = vessels_layer(desk, (at) => view.set({ map: { ...camera(), ...at } }));
   const aim = drawn('path', { class: 'aim', d: 'M-9,0 H9 M0,-9 V9' });
   const bar = drawn('g', { class: 'scale-bar' });
   const picture = drawn(
@@ -59,7 +70,7 @@ export function mapPart(desk: Desk): HTMLElement {
         'Map, north up. Arrow keys move it, plus and minus zoom, 0 shows all, Enter takes the ' +
         'place in the middle. The table of columns says the same in words.',
     },
-    ...[depths, coast, things, trial, cells.node, water, place, aim, bar],
+    ...[depths, coast, things, trial, cells.node, water, vessels.node, place, aim, bar],
   );
   const says = element('p', { class: 'map-says', role: 'status', hidden: true });
   /** Where to look while the site is not described yet. */
@@ -76,13 +87,34 @@ export function mapPart(desk: Desk): HTMLElement {
   const depth = depth_choice(desk);
   const where = place_choice(desk);
 
+  const draw_vessels = (): void => {
+    if (size.width < 2) return;
+    const to = projection_of(camera(), size);
+    vessels.draw({
+      to,
+      box: box_of(camera(), size),
+      is_shown: shown.vessels,
+      with_names: shown.names,
+      taken: () => [
+        ...beside(size),
+        ...[things, water].flatMap((group) => boxes_of_texts(group)),
+        ...[...(site?.turbines ?? []), ...(site?.columns ?? [])].map((thing) =>
+          box_around(screen(to, thing), THING_PX),
+        ),
+      ],
+    });
+  };
   const draw_hour = (): void => {
     table.show();
-    if (site === null) water.replaceChildren();
+    if (site === null) {
+      water.replaceChildren();
+      draw_vessels();
+    }
     if (site === null || size.width < 2) return;
     const to = projection_of(camera(), size);
     cells.draw(to, box_of(camera(), size));
     draw_water(water, site, to, shown, look, weather);
+    draw_vessels();
     signs.say(
       weather(site.columns[0] ?? { longitude_deg: NaN, latitude_deg: NaN }).current_depth_m,
     );
@@ -222,11 +254,13 @@ export function mapPart(desk: Desk): HTMLElement {
   }).observe(picture);
   void load();
 
+  const notes = element('div', { class: 'map-notes' }, vessels.says, cells.says);
   return element(
     'div',
     { class: 'map' },
     element('div', { class: 'map-tools' }, depth.node, where.node, cells.choice, buttons),
-    element('div', { class: 'map-view' }, picture, says, cells.says, signs.node),
+    element('div', { class: 'map-view' }, picture, says, notes, signs.node),
+    vessels.list,
     table.node,
     cells.table,
   );

@@ -20,7 +20,8 @@
 namespace slackwater::tests {
 
 /// `slackwater serve` over a store with a farm that has forecasts of two days, the first of which
-/// came true, and a site without any; its clock shows 06:10 on the day of the last issue.
+/// came true, and a site without any; its clock shows 06:10 on the day of the last issue. It
+/// listens to a log of AIS that is not there yet.
 class DeskServed : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -41,7 +42,8 @@ class DeskServed : public testing::Test {
       ASSERT_EQ(issued.exit_code, 0) << issued.err;
     }
     program_ = std::make_unique<StartedProgram>(
-        made_->start({"--json", "serve", "--port", "0", "--at", "2025-03-04T06:10:00Z"},
+        made_->start({"--json", "serve", "--port", "0", "--at", "2025-03-04T06:10:00Z", "--ais",
+                      path("heard.csv")},
                      made_->file("address")));
     ASSERT_TRUE(comes_true(
         [] {
