@@ -7,6 +7,7 @@
 #include "fields/base/local_time.h"
 #include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
+#include "fields/site/chart_datum.h"
 #include "fields/site/constraint_area.h"
 #include "fields/site/farm.h"
 #include "fields/wave/fetch.h"
@@ -31,6 +32,7 @@ struct Site {
   std::string name;
   GeoPoint point;
   std::optional<double> water_depth_m;
+  std::optional<ChartDatum> chart_datum;  ///< absent: nobody says, and none is assumed
   std::optional<double> hub_height_m;
   /// How far the wind blows over water, for waves that are computed from the wind.
   std::optional<Fetch> fetch;

@@ -7,6 +7,7 @@
 #include "api/ask/plan/plan_file.h"
 #include "api/ask/rehearse/mission_file.h"
 #include "api/door/desk/report_page.h"
+#include "api/pipeline/snapshot_json.h"
 #include "api/program/paths.h"
 #include "fields/base/attempt.h"
 #include "fields/base/error.h"
@@ -179,6 +180,7 @@ void add_description(const Site& site, UtcTime now, const std::filesystem::path&
   out["time_zone"] = site.time_zone ? json(site.time_zone->name()) : json(nullptr);
   out["shift"] = site.shift.empty() ? json(nullptr) : json(site.shift);
   out["water_depth_m"] = or_null(site.water_depth_m);
+  out["chart_datum"] = chart_datum_json(site.chart_datum);
   json turbines = json::array(), cables = json::array(), areas = json::array();
   for (const TurbinePlace& turbine : site.turbines) turbines.push_back(turbine_json(turbine));
   for (const CableRoute& cable : site.cables)
