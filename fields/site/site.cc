@@ -193,17 +193,23 @@ std::vector<std::string> known_sites(const std::vector<std::filesystem::path>& f
   return ids;
 }
 
-Site find_site(const std::string& id_or_path, const std::vector<std::filesystem::path>& folders) {
-  if (looks_like_path(id_or_path)) return parse_site(read_text(id_or_path), id_or_path);
+SiteText find_site_text(const std::string& id_or_path,
+                        const std::vector<std::filesystem::path>& folders) {
+  if (looks_like_path(id_or_path)) return {read_text(id_or_path), id_or_path};
   for (const auto& folder : folders) {
     const auto file = folder / (id_or_path + ".yaml");
-    if (std::filesystem::exists(file)) return parse_site(read_text(file), file.string());
+    if (std::filesystem::exists(file)) return {read_text(file), file.string()};
   }
   const std::vector<std::string> known = known_sites(folders);
   const std::string list = known.empty() ? "none" : joined(known, " ");
   throw Error(ErrorKind::not_found,
               "found no site '" + id_or_path + "'" + did_you_mean(id_or_path, known) +
                   "; known sites are: " + list + "; or give the path of a site's YAML file");
+}
+
+Site find_site(const std::string& id_or_path, const std::vector<std::filesystem::path>& folders) {
+  const SiteText text = find_site_text(id_or_path, folders);
+  return parse_site(text.yaml, text.file);
 }
 
 }  // namespace slackwater

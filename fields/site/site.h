@@ -60,6 +60,15 @@ struct Site {
 /// Error(invalid_input).
 [[nodiscard]] Site parse_site(std::string_view yaml, std::string_view name);
 
+/// A site's file as text, and its path.
+struct SiteText {
+  std::string yaml;
+  std::string file;
+};
+/// What `find_site` reads, not parsed. Throws likewise.
+[[nodiscard]] SiteText find_site_text(const std::string& id_or_path,
+                                      const std::vector<std::filesystem::path>& folders);
+
 /// Finds a site by id in the sites folders, or by the path of its file. Throws Error(not_found)
 /// that lists the ids there are.
 [[nodiscard]] Site find_site(const std::string& id_or_path,
