@@ -233,6 +233,7 @@ json decision_schema() {
                      {"decided", {{"type", "string"}, {"enum", json::array({"go", "no_go"})}}},
                      {"by", text()},
                      {"note", text()},
+                     {"hand_over", text()},
                      {"at", text()},
                      {"forecast", text()},
                      {"in_place_of", {{"type", "integer"}, {"nullable", true}}}});
