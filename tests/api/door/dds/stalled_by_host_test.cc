@@ -105,9 +105,9 @@ TEST_F(StalledByHost, SaysForWhomItWaitsAndGoesOnOnceTheHostIsTakenOff) {
   ASSERT_FALSE(again.is_null()) << said();
   EXPECT_TRUE(again["by"].is_null());
   // The run does not wait for its own words to be written.
-  EXPECT_TRUE(comes_true(
-      [&] { return said().find("its answer did not come within 6 s") != std::string::npos; }))
-      << said();
+  EXPECT_TRUE(comes_true([&] {
+    return said().find("its answer did not come within 6 s") != std::string::npos;
+  })) << said();
   EXPECT_EQ(run->end(SIGINT), 0) << said();
 }
 
