@@ -185,11 +185,10 @@ class Service {
 
   /// What a stored product has none of.
   [[nodiscard]] static Error no_instances(const std::string& id) {
-    return {
-        ErrorKind::not_found,
-        "found no issued forecasts in '" + id +
-            "', which is a stored product: ask it by position, radius, area, cube or locations; "
-            "its runs are told apart by forecast_period"};
+    return {ErrorKind::not_found,
+            "found no issued forecasts in '" + id +
+                "', which is stored and not issued: ask it by position, radius, area, cube or "
+                "locations; runs of a product are told apart by forecast_period"};
   }
 
   Planned location(const Request& request, const PathParameters& path, bool of_instance) const {
