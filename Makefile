@@ -61,6 +61,8 @@ soak: test-packages venv
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
 	tests/soak/morning build/release/api/slackwater build/soak-demo/store
 	tests/soak/desk build/release/api/slackwater build/soak-demo/store build/node
+	tests/soak/five-products build/release/api/slackwater build/soak-demo/store \
+	  build/release/tests/slackwater_made_up_products build/node
 	$(MAKE) fuzz
 
 fuzz: test-packages

@@ -145,7 +145,10 @@ void IssuedFields::refresh() {
 void IssuedFields::read_store() {
   store::Store store = store::Store::open(folder_, store::OpenMode::read_only);
   std::vector<IssuedForecast> instances = named(store.list_forecasts());
-  std::vector<StoredProduct> products = stored_products(store.find_granules({}));
+  const std::vector<store::GranuleRow> granules = store.find_granules({});
+  std::vector<StoredProduct> products = stored_products(granules);
+  for (StoredProduct& instrument : stored_instruments(granules))
+    products.push_back(std::move(instrument));
   const bool was_whole = is_whole();
   retry(instances);
   const std::shared_ptr<const ForecastCatalogue> now = published_.load();

@@ -38,7 +38,8 @@ struct ForecastCatalogue {
   };
   std::vector<IssuedForecast> instances;  ///< newest first
   std::vector<SiteForecast> sites;        ///< by site id
-  /// What product files hold, by id (stored_products.h): never null.
+  /// What product files hold, then what instruments measured, by id (stored_products.h): never
+  /// null.
   std::shared_ptr<const std::vector<StoredProduct>> products =
       std::make_shared<const std::vector<StoredProduct>>();
 

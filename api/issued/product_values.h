@@ -44,6 +44,10 @@ struct ProductValues {
 /// before the forecast of the newest run (`choose`, fields/record). Nothing is interpolated in
 /// time.
 ///
+/// What instruments measured is given as it is: at its own place whatever place is asked for, at
+/// its own times and depths, and only where its quality is good: what was rejected, and what nobody
+/// checked, is absent. Where two files have a value the later ingested counts.
+///
 /// Opens content files that are whole alone (data/store/proven_content.h); what is damaged is left
 /// out and told. Keeps the axes, never values: those are read some times at once.
 class ProductView {
@@ -87,6 +91,9 @@ class ProductView {
                                      Levels which = Levels::all_at_each) const;
 
  private:
+  [[nodiscard]] ProductValues measured(std::span<const UtcTime> times,
+                                       std::span<const double> levels_m) const;
+
   std::filesystem::path store_;
   const StoredProduct& product_;
   ProductWindow window_;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "fields/base/sha256.h"
 #include "fields/base/text.h"
@@ -105,6 +107,24 @@ bool settle_names(StoredProduct& product) {
          std::equal(all.begin(), all.begin() + vector_components, held.begin());
 }
 
+constexpr double same_place_m = 500;
+
+/// Of the box about a platform.
+GeoPoint middle_of(const BoundingBox& box) {
+  const double east = box.east_deg < box.west_deg ? box.east_deg + 360 : box.east_deg;
+  return GeoPoint::from_degrees(0.5 * (box.south_deg + box.north_deg),
+                                std::remainder(0.5 * (box.west_deg + east), 360.0));
+}
+
+/// Whether a series is one more of what a platform measured.
+bool is_of(const StoredProduct& instrument, const store::GranuleRow& row, ProductKind kind) {
+  return instrument.kind == kind && instrument.station == row.station &&
+         instrument.product_id == row.product_id && instrument.dataset_id == row.dataset_id &&
+         instrument.vertical == row.vertical &&
+         distance_m(middle_of(instrument.granules.front().bounds), middle_of(row.bounds)) <=
+             same_place_m;
+}
+
 std::string plain_id(const StoredProduct& product) {
   return "product-" + std::string(name_of(product.kind)) + "-" +
          fit_for_a_path(product.dataset_id.empty() ? product.product_id : product.dataset_id);
@@ -160,6 +180,47 @@ std::vector<StoredProduct> stored_products(const std::vector<store::GranuleRow>&
   std::sort(products.begin(), products.end(),
             [](const StoredProduct& a, const StoredProduct& b) { return a.id < b.id; });
   return products;
+}
+
+std::vector<StoredProduct> stored_instruments(const std::vector<store::GranuleRow>& granules) {
+  std::vector<const store::GranuleRow*> rows;
+  for (const store::GranuleRow& row : granules)
+    if (row.is_point_series && row.first_time && row.status == DataStatus::observation)
+      rows.push_back(&row);
+  // As they were ingested: what comes later takes no name from what was there.
+  std::sort(rows.begin(), rows.end(), [](const auto* a, const auto* b) { return a->id < b->id; });
+  std::vector<StoredProduct> instruments;
+  for (const store::GranuleRow* row : rows) {
+    for (const ProductKind kind : kinds) {
+      if (!holds_any(*row, kind) || row->station.empty()) continue;
+      auto found = std::find_if(instruments.begin(), instruments.end(),
+                                [&](const StoredProduct& one) { return is_of(one, *row, kind); });
+      if (found == instruments.end()) {
+        found = instruments.emplace(instruments.end());
+        found->kind = kind;
+        found->station = row->station;
+      }
+      add(*found, *row);
+    }
+  }
+  std::set<std::string> taken;
+  for (StoredProduct& one : instruments) {
+    one.id = "instrument-" + std::string(name_of(one.kind)) + "-" + fit_for_a_path(one.station);
+    if (!taken.insert(one.id).second) {
+      const GeoPoint place = middle_of(one.granules.front().bounds);
+      one.id += "-" + sha256_of_text(formatted("{}/{}/{}/{:.3f},{:.3f}", one.product_id,
+                                               one.dataset_id, static_cast<int>(one.vertical),
+                                               place.latitude_deg(), place.longitude_deg()))
+                          .substr(0, 6);
+      taken.insert(one.id);
+    }
+  }
+  std::vector<StoredProduct> whole;
+  for (StoredProduct& one : instruments)
+    if (settle_names(one)) whole.push_back(std::move(one));
+  std::sort(whole.begin(), whole.end(),
+            [](const StoredProduct& a, const StoredProduct& b) { return a.id < b.id; });
+  return whole;
 }
 
 }  // namespace slackwater::api

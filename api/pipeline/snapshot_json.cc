@@ -35,4 +35,11 @@ nlohmann::json provenance_json(const Provenance& provenance) {
   return object;
 }
 
+nlohmann::json chart_datum_json(const std::optional<ChartDatum>& datum) {
+  if (!datum) return nullptr;
+  return {{"name", datum->name},
+          {"below_mean_sea_level_m", datum->below_mean_sea_level_m},
+          {"source", datum->source}};
+}
+
 }  // namespace slackwater::api

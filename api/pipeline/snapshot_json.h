@@ -4,6 +4,7 @@
 
 #include "fields/service/averaged_currents.h"
 #include "fields/service/provenance.h"
+#include "fields/site/chart_datum.h"
 
 namespace slackwater::api {
 
@@ -15,5 +16,8 @@ namespace slackwater::api {
 
 /// Without what is not known: {"site", "issued", "inputs", "code_version", "calibration"}.
 [[nodiscard]] nlohmann::json provenance_json(const Provenance& provenance);
+
+/// {"name", "below_mean_sea_level_m", "source"}; null of nothing.
+[[nodiscard]] nlohmann::json chart_datum_json(const std::optional<ChartDatum>& datum);
 
 }  // namespace slackwater::api

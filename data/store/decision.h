@@ -39,7 +39,8 @@ struct DecisionRow {
   std::optional<double> probability;  ///< that all limits hold, as it was said; absent: see unsaid
   std::string verdict;                ///< "go", "marginal", "no-go" of that start; else empty
   std::string unsaid;                 ///< why nothing was said of it
-  std::string note;
+  std::string note;                   ///< why
+  std::string hand_over;  ///< what the next shift is to know; one line, as long as a note
   bool operator==(const DecisionRow&) const = default;
 };
 

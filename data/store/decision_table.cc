@@ -29,6 +29,7 @@ DecisionRow decision_from(const Statement& row) {
   decision.verdict = row.text(column++);
   decision.unsaid = row.text(column++);
   decision.note = row.text(column++);
+  decision.hand_over = row.text(column++);
   decision.forecast_sha256 = row.text(column++);
   decision.forecast_issued = row.time(column++);
   return decision;
@@ -58,11 +59,11 @@ std::int64_t insert_decision(Database& database, const DecisionRow& row) {
                                           "it was pruned meanwhile: decide again");
   Statement insert = database.prepare(
       "INSERT INTO decision (site_id, task, turbine, start_ms, work_ms, decided, decided_by, "
-      "recorded_at_ms, by_clock, forecast_id, probability, verdict, unsaid, note) VALUES "
-      "(?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+      "recorded_at_ms, by_clock, forecast_id, probability, verdict, unsaid, note, "
+      "hand_over) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   insert.bind_all(row.site_id, row.task, row.turbine, row.start, milliseconds_of(row.work),
                   name_of(row.decided), row.by, row.recorded_at, std::int64_t{row.by_clock},
-                  row.forecast, row.probability, row.verdict, row.unsaid, row.note);
+                  row.forecast, row.probability, row.verdict, row.unsaid, row.note, row.hand_over);
   insert.run();
   return database.last_inserted_id();
 }
@@ -71,7 +72,8 @@ std::vector<DecisionRow> select_decisions(Database& database, const DecisionQuer
   Statement select = database.prepare(
       "SELECT d.id, d.site_id, d.task, d.turbine, d.start_ms, d.work_ms, d.decided, d.decided_by, "
       "d.recorded_at_ms, d.by_clock, d.forecast_id, d.probability, d.verdict, d.unsaid, d.note, "
-      "f.content_sha256, f.issued_ms FROM decision d JOIN forecast f ON f.id = d.forecast_id "
+      "d.hand_over, f.content_sha256, f.issued_ms FROM decision d JOIN forecast f ON f.id = "
+      "d.forecast_id "
       "WHERE (?1 = '' OR d.site_id = ?1) AND (?2 = '' OR d.task = ?2) "
       "AND (?3 IS NULL OR d.start_ms >= ?3) AND (?4 IS NULL OR d.start_ms < ?4) "
       "ORDER BY d.start_ms, d.id");

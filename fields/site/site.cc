@@ -75,6 +75,23 @@ std::optional<SiteAccess> read_access(const Config& config) {
   return found;
 }
 
+/// No charted place has a mean level more than 15 m above the lowest tide (Bay of Fundy: some 8 m).
+constexpr Range chart_datum_range_m{0, 15};
+
+/// `chart_datum: {name: LAT, below_mean_sea_level_m: 1.93, source: chart 2182B}`
+std::optional<ChartDatum> read_chart_datum(const Config& config) {
+  const auto stated = config.optional_child("chart_datum");
+  if (!stated) return std::nullopt;
+  ChartDatum datum{stated->text("name"),
+                   stated->number("below_mean_sea_level_m", chart_datum_range_m),
+                   stated->text("source")};
+  if (datum.name.empty() || datum.name.size() > 60)
+    stated->refuse("name", "expected what charts call it, at most 60 letters: LAT");
+  if (datum.source.empty())
+    stated->refuse("source", "expected the chart or tide table that says how far below it is");
+  return datum;
+}
+
 std::string read_text(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
@@ -142,6 +159,7 @@ Site parse_site(std::string_view yaml, std::string_view name) {
   site.name = config.optional_text("name").value_or(site.id);
   site.point = read_point(config);
   site.water_depth_m = config.optional_number("water_depth_m", {1, 11000});
+  site.chart_datum = read_chart_datum(config);
   site.hub_height_m = config.optional_number("hub_height_m", {10, 400});
   site.fetch = read_fetch(config);
   site.current_product = config.optional_text("currents");
@@ -175,17 +193,23 @@ std::vector<std::string> known_sites(const std::vector<std::filesystem::path>& f
   return ids;
 }
 
-Site find_site(const std::string& id_or_path, const std::vector<std::filesystem::path>& folders) {
-  if (looks_like_path(id_or_path)) return parse_site(read_text(id_or_path), id_or_path);
+SiteText find_site_text(const std::string& id_or_path,
+                        const std::vector<std::filesystem::path>& folders) {
+  if (looks_like_path(id_or_path)) return {read_text(id_or_path), id_or_path};
   for (const auto& folder : folders) {
     const auto file = folder / (id_or_path + ".yaml");
-    if (std::filesystem::exists(file)) return parse_site(read_text(file), file.string());
+    if (std::filesystem::exists(file)) return {read_text(file), file.string()};
   }
   const std::vector<std::string> known = known_sites(folders);
   const std::string list = known.empty() ? "none" : joined(known, " ");
   throw Error(ErrorKind::not_found,
               "found no site '" + id_or_path + "'" + did_you_mean(id_or_path, known) +
                   "; known sites are: " + list + "; or give the path of a site's YAML file");
+}
+
+Site find_site(const std::string& id_or_path, const std::vector<std::filesystem::path>& folders) {
+  const SiteText text = find_site_text(id_or_path, folders);
+  return parse_site(text.yaml, text.file);
 }
 
 }  // namespace slackwater

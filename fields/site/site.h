@@ -7,6 +7,7 @@
 #include "fields/base/local_time.h"
 #include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
+#include "fields/site/chart_datum.h"
 #include "fields/site/constraint_area.h"
 #include "fields/site/farm.h"
 #include "fields/wave/fetch.h"
@@ -31,6 +32,7 @@ struct Site {
   std::string name;
   GeoPoint point;
   std::optional<double> water_depth_m;
+  std::optional<ChartDatum> chart_datum;  ///< absent: nobody says, and none is assumed
   std::optional<double> hub_height_m;
   /// How far the wind blows over water, for waves that are computed from the wind.
   std::optional<Fetch> fetch;
@@ -57,6 +59,15 @@ struct Site {
 /// Reads a site from YAML; unknown keys, values out of range and contradictions are
 /// Error(invalid_input).
 [[nodiscard]] Site parse_site(std::string_view yaml, std::string_view name);
+
+/// A site's file as text, and its path.
+struct SiteText {
+  std::string yaml;
+  std::string file;
+};
+/// What `find_site` reads, not parsed. Throws likewise.
+[[nodiscard]] SiteText find_site_text(const std::string& id_or_path,
+                                      const std::vector<std::filesystem::path>& folders);
 
 /// Finds a site by id in the sites folders, or by the path of its file. Throws Error(not_found)
 /// that lists the ids there are.

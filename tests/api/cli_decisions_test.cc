@@ -196,13 +196,14 @@ TEST_F(DecisionsCommand, OfAStartBetweenTheHalfHoursAreRecordedToo) {
 
 TEST_F(DecisionsCommand, ALaterOneCountsAndTheEarlierStays) {
   const UtcTime start = holding(2);
-  const json first = decided(start, "--go", {"--note", "at dawn"});
+  const json first = decided(start, "--go", {"--note", "at dawn", "--hand-over", "tow at noon"});
   EXPECT_TRUE(first.at("in_place_of").is_null());
   const json second = decided(start, "--no-go", {"--by", "B. Other"});
   EXPECT_EQ(second.at("in_place_of"), first.at("id"));
   const json answer = decisions({"--task", task()});
   EXPECT_FALSE(with_id(answer, first.at("id")).at("counts"));
   EXPECT_EQ(with_id(answer, first.at("id")).at("note"), "at dawn");
+  EXPECT_EQ(with_id(answer, first.at("id")).at("hand_over"), "tow at noon");
   EXPECT_TRUE(with_id(answer, second.at("id")).at("counts"));
   const ProgramResult told = decide(format_utc(start), "--go", {});
   EXPECT_TRUE(contains(told.out, "it counts in place of decision")) << told.err;
@@ -268,6 +269,7 @@ TEST_F(DecisionsCommand, AreRefusedInOneClearSentence) {
   refused({"--by", "A \xe2\x80\xae"}, 2, {"--by", "control character U+202E"});
   refused({"--by", "A\xff"}, 2, {"--by", "no UTF-8"});
   refused({"--note", "one\ntwo"}, 2, {"--note", "control character U+000A"});
+  refused({"--hand-over", "one\ntwo"}, 2, {"--hand-over", "control character U+000A"});
   refused({"--note", std::string(2001, 'x')}, 2, {"--note", "at most 2000"});
   refused({"--task", "scour_surfey"}, 4, {"scour_surfey", "did you mean 'scour_survey'"});
   refused({"--turbine", "T9"}, 4, {"--turbine: found T9", "expected one of T1"});

@@ -222,6 +222,48 @@ TEST_F(OneAnswer, OfTheSeaLevelToo) {
   }
 }
 
+/// What `profile --site` says of the level of the sea, as JSON and as words.
+std::pair<json, std::string> level_of_the_site(const std::filesystem::path& folder,
+                                               const Snapshot& in_force, const std::string& more) {
+  std::filesystem::create_directories(folder / "sites");
+  std::ofstream(folder / "sites" / (in_force.site_id + ".yaml"))
+      << "id: " << in_force.site_id << "\nlatitude_deg: 48.85\nlongitude_deg: -2.55\n"
+      << more;
+  std::vector<std::string> asked{"--store",
+                                 folder.string(),
+                                 "profile",
+                                 "--site",
+                                 in_force.site_id,
+                                 "--time",
+                                 format_utc(in_force.time.at(2))};
+  const ProgramResult words = run_program(asked);
+  asked.emplace_back("--json");
+  const ProgramResult result = run_program(asked);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return {json::parse(result.out).at("sea_level"), words.out};
+}
+
+TEST_F(OneAnswer, TheLevelIsToldOverTheSitesChartDatumTooWhereItStatesOne) {
+  const std::filesystem::path store = issued_.path();
+  const auto [bare, bare_words] = level_of_the_site(store, in_force_, "");
+  EXPECT_TRUE(bare.at("chart_datum").is_null());
+  EXPECT_FALSE(bare.contains("water_surface_height_above_reference_datum"));
+  EXPECT_NE(bare_words.find("over mean sea level"), std::string::npos) << bare_words;
+  EXPECT_NE(bare_words.find("the site states no chart datum"), std::string::npos) << bare_words;
+
+  const auto [told, words] = level_of_the_site(
+      store, in_force_,
+      "chart_datum: {name: LAT, below_mean_sea_level_m: 5.93, source: chart 7128}\n");
+  EXPECT_EQ(told.at("chart_datum"),
+            json({{"name", "LAT"}, {"below_mean_sea_level_m", 5.93}, {"source", "chart 7128"}}));
+  EXPECT_EQ(told.at(level), bare.at(level)) << "the level over mean sea level is what it was";
+  const json& over = told.at("water_surface_height_above_reference_datum");
+  EXPECT_DOUBLE_EQ(over.at("value").get<double>(), bare.at(level).get<double>() + 5.93);
+  for (const char* quantile : {"p10", "p50", "p90"})
+    EXPECT_DOUBLE_EQ(over.at(quantile).get<double>(), bare.at(quantile).get<double>() + 5.93);
+  EXPECT_NE(words.find("m over chart datum, LAT"), std::string::npos) << words;
+}
+
 TEST_F(OneAnswer, ComesFromEveryDoor) {
   const std::filesystem::path store = issued_.path();
   for (const Asked& asked : places()) {

@@ -59,7 +59,7 @@ async function checkMetadata() {
     for (const [name, each] of Object.entries(collection.parameter_names)) expectValid(parameterNames, name, each);
     await expectDocument(features, `${at}/locations`, "application/geo+json");
     // A stored product has been issued by nobody here.
-    if (listed.id.startsWith("product-")) {
+    if (/^(product|instrument)-/.test(listed.id)) {
       documents += 2;
       continue;
     }
@@ -131,7 +131,18 @@ async function checkData() {
   }
 }
 
-/** Stored products: each with the queries that it takes, at times of their own. */
+async function expectAnswer(path, domainType) {
+  const document = await get(path, "application/prs.coverage+json");
+  expectValid(covjson, path, document);
+  expectValid(edrCovjson, path, document);
+  await expectReadable(path, document, domainType);
+  expectValid(features, path, await get(`${path}&f=GeoJSON`, "application/geo+json"));
+  ++answers;
+}
+
+const mooring = "instrument-currents-M1";
+
+/** Stored products and a mooring: each with the queries that it takes, at times of their own. */
 async function checkProducts() {
   const own = "datetime=2025-03-10T02:00:00Z";
   const kinds = { "product-currents-NWSHELF_ANALYSISFORECAST_PHY_004_013": ["&z=5", "&z=0/20"],
@@ -151,17 +162,16 @@ async function checkProducts() {
       ["Grid", `/area?coords=${area}&${own}${one}`],
       ["Grid", `/cube?bbox=2.39,57.19,2.47,57.27&${hours}${many || one || "&z=0"}`],
       ["PointSeries", `/locations/farm.5?${hours}${one}`],
-    ]) {
-      const path = `/collections/${id}${query}`;
-      const document = await get(path, "application/prs.coverage+json");
-      expectValid(covjson, path, document);
-      expectValid(edrCovjson, path, document);
-      await expectReadable(path, document, domainType);
-      expectValid(features, path, await get(`${path}&f=GeoJSON`, "application/geo+json"));
-      ++answers;
-    }
+    ]) await expectAnswer(`/collections/${id}${query}`, domainType);
   }
-  return listed;
+  // What was measured stands at one place, whatever holds it.
+  for (const [domainType, query] of [
+    ["Point", `/position?coords=POINT(2.41 57.21)&${own}&z=5`],
+    ["PointSeries", `/locations/M1?${hours}&z=5`],
+    ["VerticalProfile", `/area?coords=${area}&${own}`],
+    ["Grid", `/cube?bbox=2.39,57.19,2.47,57.27&${hours}&z=0/20`],
+  ]) await expectAnswer(`/collections/${mooring}${query}`, domainType);
+  return [...listed, mooring];
 }
 
 async function checkClient(products) {

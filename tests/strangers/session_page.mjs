@@ -67,7 +67,7 @@ class Person {
   /** What a reader of a failure wants to know. */
   shown() {
     return this.page.evaluate(() => {
-      const places = ".problem .helm-state .countdown .run .time .age .cut .asked .taken .verdict #notice .log>li".split(" ");
+      const places = ".problem .helm-state .countdown .run .time .age .cut .asked .taken .reply #notice .log>li".split(" ");
       const texts = places.map((at) => [at, document.querySelector(at)?.textContent]).filter(([, text]) => text);
       return JSON.stringify({ link: document.documentElement.dataset.link, ...Object.fromEntries(texts) });
     });
@@ -324,10 +324,10 @@ const steps = {
     const per_m = 20 / (pulled.east_m - placed.east_m);
     const pile = { x: at.x + (PILE.east_m - placed.east_m) * per_m, y: at.y - (PILE.north_m - placed.north_m) * per_m };
     await ann.page.mouse.move(pile.x, pile.y, { steps: 20 });
-    const refused = await ann.reads(".verdict", /^Refused: .* lies in structure 1/);
+    const refused = await ann.reads(".reply", /^Refused: .* lies in structure 1/);
     assert((await ann.said("waypoints", since_ms)).every((it) => it.is_trial), "only trials go out while it is dragged");
     await ann.page.mouse.move(at.x, at.y, { steps: 20 });
-    await ann.reads(".verdict", /^The server would take this way/);
+    await ann.reads(".reply", /^The server would take this way/);
     await ann.page.mouse.up();
     await ann.press("Send the way");
     await ann.reads("#notice", /^The way is taken/);

@@ -175,7 +175,20 @@ class SeriesWriter {
       }
       values_.emplace_back(quantity(part, part.name, dimensions_of_value(), "lat lon"),
                            table(part));
+      if (series_.flag) define_flags(part);
     }
+  }
+
+  /// Of (time, depth) or (time).
+  void define_flags(const Part& part) {
+    const int id = writer_.variable(part.name + "_QC", Type::float32, dimensions_of_value());
+    writer_.attribute(id, "conventions", "OceanSITES reference table 2");
+    std::vector<double> flags;
+    const std::vector<double> surface{0};
+    for (const UtcTime time : series_.time)
+      for (const double depth : series_.depth_m.empty() ? surface : series_.depth_m)
+        flags.push_back(series_.flag(time, depth));
+    values_.emplace_back(id, flags);
   }
 
   [[nodiscard]] std::vector<int> dimensions_of_value() const {

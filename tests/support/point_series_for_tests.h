@@ -36,6 +36,8 @@ struct PointSeriesForTests {
   bool bare = false;  ///< variables are called what they are, no standard names
   /// Written beside every component, or the speed, as CF ancillary variables.
   std::optional<double> standard_error_m_s;
+  /// The OceanSITES flag of each value (1 good, 4 bad, 0 nobody checked); empty: no flags.
+  std::function<int(UtcTime, double)> flag;
   /// (east, north) at a time and depth; NaN: missing.
   std::function<Horizontal(UtcTime, double)> value;
 };

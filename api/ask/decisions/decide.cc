@@ -115,6 +115,8 @@ DecisionMade decision_made(const DecideQuestion& question,
         ErrorKind::usage,
         names + "by: found no name, expected that of who decides; a record without one is none");
   row.note = line_of_text(names + "note", question.note, store::longest_note);
+  const std::string hand_over = names.empty() ? "hand_over" : names + "hand-over";
+  row.hand_over = line_of_text(hand_over, question.hand_over, store::longest_note);
   if (question.start != std::chrono::floor<std::chrono::minutes>(question.start))
     throw Error(ErrorKind::usage, names + "start: found " + format_utc(question.start) +
                                       ", expected a whole minute; write 2025-03-10T07:30Z");

@@ -15,8 +15,9 @@ struct DecideQuestion {
   std::string turbine;      ///< empty: the first that the task can be done at
   UtcTime start;
   store::Decided decided = store::Decided::no_go;
-  std::string by;  ///< the name of who decided
-  std::string note;
+  std::string by;         ///< the name of who decided
+  std::string note;       ///< why
+  std::string hand_over;  ///< for the next shift
   UtcTime recorded_at;
   bool by_clock = true;      ///< `recorded_at` was read, not stated
   std::string before_names;  ///< of a word, in errors: "--" of "--by"
@@ -33,9 +34,9 @@ struct DecisionMade {
 /// The decision as it is recorded: with the latest forecast that had been issued by then and before
 /// the start, and what `windows_of` says of that start on it. A start need not lie on the half
 /// hours that `windows` asks about; where the program can say nothing of it, the record says why.
-/// @throws Error(usage) for a name or a note that is blank, too long or no plain line of text, and
-///         a start that is no whole minute; Error(not_found) for sites, tasks and turbines that
-///         there are not, and where no forecast had been issued that covers the start
+/// @throws Error(usage) for a name, a note or a hand-over that is blank, too long or no plain line
+///         of text, and a start that is no whole minute; Error(not_found) for sites, tasks and
+///         turbines that there are not, and where no forecast had been issued that covers the start
 [[nodiscard]] DecisionMade decision_made(const DecideQuestion& question,
                                          const std::filesystem::path& store_folder);
 

@@ -14,7 +14,7 @@ namespace slackwater::api {
 namespace {
 
 struct DecideArguments {
-  std::string site, task, turbine, start, by, note;
+  std::string site, task, turbine, start, by, note, hand_over;
   bool is_go = false, is_no_go = false;
 };
 
@@ -32,6 +32,7 @@ void run_decide(const DecideArguments& arguments, const Context& context) {
   question.decided = arguments.is_go ? store::Decided::go : store::Decided::no_go;
   question.by = arguments.by;
   question.note = arguments.note;
+  question.hand_over = arguments.hand_over;
   question.recorded_at = std::chrono::floor<std::chrono::seconds>(context.now());
   question.by_clock = context.at.empty();
   question.before_names = "--";
@@ -62,6 +63,8 @@ void add_decide(CLI::App& app, Context& context) {
   command->add_option("--by", arguments->by, "name of who decided, up to 200 characters")
       ->required();
   command->add_option("--note", arguments->note, "why, up to 2000 characters");
+  command->add_option("--hand-over", arguments->hand_over,
+                      "what the next shift is to know, up to 2000 characters");
   command->add_option("--at", context.at,
                       "when it was decided, UTC time; the record says that this was stated "
                       "(default: the clock)");

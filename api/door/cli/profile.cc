@@ -124,6 +124,7 @@ ProfileAnswer find_answer(store::Store& store, const ProfileArguments& arguments
     const Site site = find_site(arguments.site, site_folders(context.store_folder));
     wanted.site_id = site.id;
     answer.time_zone = site.time_zone;
+    answer.chart_datum = site.chart_datum;
   }
   InForce in_force = forecast_in_force(store, wanted);
   answer.row = std::move(in_force.row);

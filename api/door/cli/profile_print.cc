@@ -89,11 +89,19 @@ json sea_level_json(const ProfileAnswer& a) {
   const auto level = sea_level_of(a);
   if (!level) return nullptr;
   const SeaLevelQuantiles q = quantiles_of(*level);
-  return {{"sea_surface_height_above_geoid", level->level_m},
-          {"standard_deviation", level->sigma_m},
-          {"p10", q.p10_m},
-          {"p50", q.p50_m},
-          {"p90", q.p90_m}};
+  json out = {{"sea_surface_height_above_geoid", level->level_m},
+              {"standard_deviation", level->sigma_m},
+              {"p10", q.p10_m},
+              {"p50", q.p50_m},
+              {"p90", q.p90_m},
+              {"chart_datum", chart_datum_json(a.chart_datum)}};
+  if (!a.chart_datum) return out;
+  const ChartDatum& datum = *a.chart_datum;
+  out["water_surface_height_above_reference_datum"] = {{"value", datum.above_m(level->level_m)},
+                                                       {"p10", datum.above_m(q.p10_m)},
+                                                       {"p50", datum.above_m(q.p50_m)},
+                                                       {"p90", datum.above_m(q.p90_m)}};
+  return out;
 }
 
 json levels_json(const ProfileAnswer& a) {
@@ -233,8 +241,15 @@ void print_profile_table(const ProfileAnswer& a) {
   }
   if (const auto level = sea_level_of(a)) {
     const SeaLevelQuantiles q = quantiles_of(*level);
-    std::printf("Level of the sea: %+.2f m above mean sea level (p10 to p90: %+.2f to %+.2f)\n",
+    std::printf("Level of the sea: %+.2f m over mean sea level (p10 to p90: %+.2f to %+.2f); ",
                 level->level_m, q.p10_m, q.p90_m);
+    if (const auto& datum = a.chart_datum) {
+      std::printf("%+.2f m over chart datum, %s (p10 to p90: %+.2f to %+.2f)\n",
+                  datum->above_m(level->level_m), datum->name.c_str(), datum->above_m(q.p10_m),
+                  datum->above_m(q.p90_m));
+    } else {
+      std::printf("the site states no chart datum\n");
+    }
   }
   for (const std::string& line : snapshot.attributions) std::printf("%s\n", line.c_str());
 }

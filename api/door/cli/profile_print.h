@@ -8,6 +8,7 @@
 #include "data/store/store.h"
 #include "fields/base/local_time.h"
 #include "fields/service/field.h"
+#include "fields/site/chart_datum.h"
 
 namespace slackwater::api {
 
@@ -18,9 +19,10 @@ struct ProfileAnswer {
   GeoPoint point;
   double water_depth_m = 0;  ///< there
   UtcTime time;
-  std::optional<TimeZone> time_zone;  ///< of the site: local time beside UTC in tables
-  std::size_t member = 0;             ///< the one that was asked for
-  std::vector<std::string> notes;     ///< newer forecasts that are damaged and were passed over
+  std::optional<TimeZone> time_zone;      ///< of the site: local time beside UTC in tables
+  std::optional<ChartDatum> chart_datum;  ///< as the site states it
+  std::size_t member = 0;                 ///< the one that was asked for
+  std::vector<std::string> notes;         ///< newer forecasts that are damaged and were passed over
   std::vector<double> depth_m;
   std::vector<CurrentSample> central;               ///< one per depth; the quantiles come from here
   std::vector<CurrentSample> samples;               ///< of the member that was asked for

@@ -29,7 +29,7 @@ Error no_decision_in(const std::string& found) {
   return {ErrorKind::usage,
           "found " + found +
               R"(, expected {"task": ID, "start": TIME, "decided": "go" or "no_go", "by": NAME}, )"
-              R"(and perhaps "turbine", "note", "at", "forecast" and "in_place_of")"};
+              R"(and perhaps "turbine", "note", "hand_over", "at", "forecast" and "in_place_of")"};
 }
 
 std::string word_in(const std::string& name, const json& value) {
@@ -68,6 +68,8 @@ Signed signed_in(const std::string& body) {
       question.by = text;
     } else if (name == "note") {
       question.note = text;
+    } else if (name == "hand_over") {
+      question.hand_over = text;
     } else if (name == "at") {
       question.recorded_at = read_word("at", text, parse_utc);
       question.by_clock = false;

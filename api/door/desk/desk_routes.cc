@@ -117,14 +117,14 @@ void add_routes(http::Router& router, const DeskSettings& settings) {
   add("workability", workability_answer);
   add("climate", climate_answer);
   add("bed", bed_answer);
-  router.add("GET", "/sites", [settings](const Request&) {
-    return json_response(
-        sites_json(*settings.forecasts, settings.freshness, settings.store_folder));
+  const auto described = std::make_shared<KeptSites>(settings.store_folder);
+  router.add("GET", "/sites", [settings, described](const Request&) {
+    return json_response(sites_json(*settings.forecasts, settings.freshness, *described));
   });
   router.add("GET", "/sites/{site}",
-             [settings](const Request&, const PathParameters& path) -> Outcome {
-               return json_response(site_json(path.at("site"), *settings.forecasts,
-                                              settings.freshness, settings.store_folder));
+             [settings, described](const Request&, const PathParameters& path) -> Outcome {
+               return json_response(
+                   site_json(path.at("site"), *settings.forecasts, settings.freshness, *described));
              });
   router.add(
       "GET", "/sites/{site}/slack",

@@ -161,7 +161,8 @@ json paths() {
   json out{
       {"/sites",
        {{"get", operation("list_sites", "Sites", "Sites", json::array(), std::move(listed))}}},
-      {at, answer_of("get_site", "What lies at a site", "a map of it has it", {})},
+      {at,
+       answer_of("get_site", "What lies at a site, and its chart datum", "a map of it has it", {})},
       {at + "/windows", answer_of("get_windows", "When tasks can be begun",
                                   "slackwater windows --json", words_of_windows())},
       {at + "/report", answer_of("get_report", "Go or no-go, today and tomorrow",
@@ -238,6 +239,7 @@ json decision_schema() {
                      {"decided", {{"type", "string"}, {"enum", json::array({"go", "no_go"})}}},
                      {"by", text()},
                      {"note", text()},
+                     {"hand_over", text()},
                      {"at", text()},
                      {"forecast", text()},
                      {"in_place_of", {{"type", "integer"}, {"nullable", true}}}});
@@ -321,21 +323,24 @@ json schemas() {
 }  // namespace
 
 json interface_document() {
-  return {{"info",
-           {{"description",
-             "Forecasts of current, wind and waves for offshore sites over OGC API-EDR 1.1; what "
-             "the commands answer about a site, as the same JSON; and rehearsals of missions. "
-             "Nothing but a decision is written to the store. Decisions, and what costs cores "
-             "(what-if, missions), are for this machine, and for who shows the token of "
-             "--token-file."}}},
-          {"paths", paths()},
-          {"components",
-           {{"parameters",
-             {{"siteId", path_parameter("siteId", "A site, by its id in /sites", "saint_brieuc")},
-              {"missionId",
-               path_parameter("missionId", "A rehearsal, by its id", "0123456789abcdef")}}},
-            {"schemas", schemas()},
-            {"securitySchemes", {{"operator", {{"type", "http"}, {"scheme", "bearer"}}}}}}}};
+  return {
+      {"info",
+       {{"description",
+         "Forecasts of current, wind and waves for offshore sites over OGC API-EDR 1.1, beside "
+         "stored products (product-KIND-ID) and what instruments measured "
+         "(instrument-KIND-NAME: good values alone, at their own place, times and levels); what "
+         "the commands answer about a site, as the same JSON; and rehearsals of missions. "
+         "Nothing but a decision is written to the store. Decisions, and what costs cores "
+         "(what-if, missions), are for this machine, and for who shows the token of "
+         "--token-file."}}},
+      {"paths", paths()},
+      {"components",
+       {{"parameters",
+         {{"siteId", path_parameter("siteId", "A site, by its id in /sites", "saint_brieuc")},
+          {"missionId",
+           path_parameter("missionId", "A rehearsal, by its id", "0123456789abcdef")}}},
+        {"schemas", schemas()},
+        {"securitySchemes", {{"operator", {{"type", "http"}, {"scheme", "bearer"}}}}}}}};
 }
 
 }  // namespace slackwater::api::desk

@@ -7,7 +7,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_kept = 64;
 constexpr std::chrono::minutes longest{5};
 
 void add_mark(const fs::path& file, std::string& mark) {
@@ -43,21 +42,51 @@ std::string mark_of(const fs::path& store_folder, const fs::path& data_folder) {
   return mark;
 }
 
-KeptAnswers::KeptAnswers(fs::path store_folder, fs::path data_folder, std::function<UtcTime()> now)
+KeptAnswers::KeptAnswers(fs::path store_folder, fs::path data_folder, std::function<UtcTime()> now,
+                         std::size_t most)
     : store_folder_(std::move(store_folder)),
       data_folder_(std::move(data_folder)),
-      now_(std::move(now)) {}
+      now_(std::move(now)),
+      most_(most) {}
 
+void KeptAnswers::drop(std::map<std::string, Kept>::iterator kept) {
+  bytes_ -= kept->second.bytes;
+  kept_.erase(kept);
+}
+
+/// For one more; what weighs nothing yet is dropped for its number alone.
 void KeptAnswers::make_room() {
-  while (kept_.size() >= most_kept)
-    kept_.erase(std::min_element(kept_.begin(), kept_.end(), [](const auto& a, const auto& b) {
-      return a.second.number < b.second.number;
-    }));
+  const auto is_older = [](const auto& a, const auto& b) {
+    return a.second.number < b.second.number;
+  };
+  while (kept_.size() >= most_kept) drop(std::min_element(kept_.begin(), kept_.end(), is_older));
+}
+
+void KeptAnswers::weigh(const std::string& question, std::size_t number, std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  const auto mine = kept_.find(question);
+  if (mine == kept_.end() || mine->second.number != number) return;
+  mine->second.bytes = bytes;
+  bytes_ += bytes;
+  while (bytes_ > most_) {
+    auto oldest = kept_.end();
+    for (auto it = kept_.begin(); it != kept_.end(); ++it)
+      if (it->second.bytes > 0 &&
+          (oldest == kept_.end() || it->second.number < oldest->second.number))
+        oldest = it;
+    drop(oldest);
+  }
 }
 
 void KeptAnswers::forget() {
   const std::lock_guard lock(mutex_);
   kept_.clear();
+  bytes_ = 0;
+}
+
+std::size_t KeptAnswers::kept_bytes() const {
+  const std::lock_guard lock(mutex_);
+  return bytes_;
 }
 
 http::Response KeptAnswers::answer(const std::string& question, const Make& make) {
@@ -73,22 +102,23 @@ http::Response KeptAnswers::answer(const std::string& question, const Make& make
     if (found != kept_.end() && (found->second.mark == mark || is_open(found->second.response))) {
       pending = found->second.response;
     } else {
-      if (found != kept_.end()) kept_.erase(found);
+      if (found != kept_.end()) drop(found);
       make_room();
       number = ++last_;
-      kept_[question] = {promise.get_future().share(), mark, number};
+      kept_[question] = {promise.get_future().share(), mark, number, 0};
     }
   }
   if (number == 0) return *pending.get();
   try {
     auto made = std::make_shared<const http::Response>(make());
     promise.set_value(made);
+    weigh(question, number, made->body.size());
     return *made;
   } catch (...) {
     promise.set_exception(std::current_exception());
     const std::lock_guard lock(mutex_);
     const auto mine = kept_.find(question);
-    if (mine != kept_.end() && mine->second.number == number) kept_.erase(mine);
+    if (mine != kept_.end() && mine->second.number == number) drop(mine);
     throw;
   }
 }

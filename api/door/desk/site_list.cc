@@ -7,7 +7,7 @@
 #include "api/ask/plan/plan_file.h"
 #include "api/ask/rehearse/mission_file.h"
 #include "api/door/desk/report_page.h"
-#include "api/program/paths.h"
+#include "api/pipeline/snapshot_json.h"
 #include "fields/base/attempt.h"
 #include "fields/base/error.h"
 
@@ -53,13 +53,13 @@ const ForecastCatalogue::SiteForecast* served(const ForecastCatalogue& catalogue
 
 /// What the store or the program describes of a site: a forecast answers without it.
 struct Description {
-  std::optional<Site> site;
+  std::shared_ptr<const Site> site;
   std::string trouble;  ///< why it cannot be read; empty where it can, or there is none
 };
 
-Description description_of(const std::string& id, const std::filesystem::path& store) {
+Description description_of(const std::string& id, KeptSites& kept) {
   Description found;
-  const auto failure = attempt([&] { found.site = described_site(id, store); });
+  const auto failure = attempt([&] { found.site = kept.site(id); });
   if (failure && failure->kind != ErrorKind::not_found)
     found.trouble = "Its description cannot be read: " + failure->why + ".";
   return found;
@@ -70,8 +70,8 @@ std::string beside(const std::string& words, const std::string& trouble) {
 }
 
 json site_line(const SiteState& state, const ForecastCatalogue& catalogue,
-               const Freshness& freshness, const std::filesystem::path& store) {
-  const auto [site, trouble] = description_of(state.site_id, store);
+               const Freshness& freshness, KeptSites& kept) {
+  const auto [site, trouble] = description_of(state.site_id, kept);
   json place = nullptr;
   if (site) {
     place = place_json(site->point);
@@ -86,7 +86,7 @@ json site_line(const SiteState& state, const ForecastCatalogue& catalogue,
           {"in_words", beside(in_words(state, freshness), trouble)},
           {"forecast", forecast_json(state)},
           {"report", "/sites/" + state.site_id + "/report"},
-          {"report_page", report_page_of(state.site_id, store, freshness.now())
+          {"report_page", report_page_of(state.site_id, kept.store_folder(), freshness.now())
                               ? json("/sites/" + state.site_id + "/report.html")
                               : json(nullptr)}};
 }
@@ -179,6 +179,7 @@ void add_description(const Site& site, UtcTime now, const std::filesystem::path&
   out["time_zone"] = site.time_zone ? json(site.time_zone->name()) : json(nullptr);
   out["shift"] = site.shift.empty() ? json(nullptr) : json(site.shift);
   out["water_depth_m"] = or_null(site.water_depth_m);
+  out["chart_datum"] = chart_datum_json(site.chart_datum);
   json turbines = json::array(), cables = json::array(), areas = json::array();
   for (const TurbinePlace& turbine : site.turbines) turbines.push_back(turbine_json(turbine));
   for (const CableRoute& cable : site.cables)
@@ -212,23 +213,21 @@ void add_reach(const Snapshot& forecast, json& out) {
 }  // namespace
 
 Site described_site(const std::string& id, const std::filesystem::path& store_folder) {
-  if (!is_site_id(id))
-    throw Error(ErrorKind::not_found, "found no site by that id; GET /sites lists what there is");
-  return find_site(id, site_folders(store_folder));
+  const SiteText text = described_text(id, store_folder);
+  return parse_site(text.yaml, text.file);
 }
 
-json sites_json(const IssuedFields& forecasts, const Freshness& freshness,
-                const std::filesystem::path& store_folder) {
+json sites_json(const IssuedFields& forecasts, const Freshness& freshness, KeptSites& kept) {
   const auto catalogue = forecasts.catalogue();
   json sites = json::array();
   std::vector<std::string> seen;
   for (const SiteState& state : site_states(*catalogue, freshness)) {
-    sites.push_back(site_line(state, *catalogue, freshness, store_folder));
+    sites.push_back(site_line(state, *catalogue, freshness, kept));
     seen.push_back(state.site_id);
   }
-  for (const std::string& id : known_sites({store_folder / "sites"})) {
+  for (const std::string& id : known_sites({kept.store_folder() / "sites"})) {
     if (std::find(seen.begin(), seen.end(), id) != seen.end()) continue;
-    const auto [site, trouble] = description_of(id, store_folder);
+    const auto [site, trouble] = description_of(id, kept);
     if (site) sites.push_back(unforecast_line(*site));
     if (!trouble.empty()) sites.push_back(unreadable_line(id, trouble));
   }
@@ -239,16 +238,16 @@ json sites_json(const IssuedFields& forecasts, const Freshness& freshness,
 }
 
 json site_json(const std::string& id, const IssuedFields& forecasts, const Freshness& freshness,
-               const std::filesystem::path& store_folder) {
+               KeptSites& kept) {
   const auto catalogue = forecasts.catalogue();
   json out{{"id", id}, {"forecast", nullptr}};
   const auto* forecast = served(*catalogue, id);
   if (forecast == nullptr) {
-    add_description(described_site(id, store_folder), freshness.now(), store_folder, out);
+    add_description(*kept.site(id), freshness.now(), kept.store_folder(), out);
   } else {
     out["name"] = forecast->field->snapshot().site_name;
-    const auto [site, trouble] = description_of(id, store_folder);
-    if (site) add_description(*site, freshness.now(), store_folder, out);
+    const auto [site, trouble] = description_of(id, kept);
+    if (site) add_description(*site, freshness.now(), kept.store_folder(), out);
     out["trouble"] = trouble;
     add_reach(forecast->field->snapshot(), out);
   }

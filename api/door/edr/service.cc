@@ -175,20 +175,20 @@ class Service {
                     "the product '" + id + "' was pruned from the store; see /collections");
       }
       const std::filesystem::path& store = forecasts_->folder();
-      Answer answer = type != nullptr
-                          ? product_answer(store, *product, *type, query)
-                          : product_answer_at(store, *product, place_of(*catalogue, path), query);
+      Answer answer =
+          type != nullptr
+              ? product_answer(store, *product, *type, query)
+              : product_answer_at(store, *product, location_of(*catalogue, *product, path), query);
       return told(request, std::move(answer), format, in_force_max_age_s);
     }};
   }
 
   /// What a stored product has none of.
   [[nodiscard]] static Error no_instances(const std::string& id) {
-    return {
-        ErrorKind::not_found,
-        "found no issued forecasts in '" + id +
-            "', which is a stored product: ask it by position, radius, area, cube or locations; "
-            "its runs are told apart by forecast_period"};
+    return {ErrorKind::not_found,
+            "found no issued forecasts in '" + id +
+                "', which is stored and not issued: ask it by position, radius, area, cube or "
+                "locations; runs of a product are told apart by forecast_period"};
   }
 
   Planned location(const Request& request, const PathParameters& path, bool of_instance) const {
@@ -248,6 +248,14 @@ class Service {
     }
     throw Error(ErrorKind::not_found, "found no location '" + shown(text) +
                                           "'; the collection's /locations lists what there is");
+  }
+
+  /// Of a site's column, or of what measures itself.
+  static GeoPoint location_of(const ForecastCatalogue& catalogue, const StoredProduct& product,
+                              const PathParameters& path) {
+    if (product.is_measured() && path.at("locationId") == own_location(product))
+      return edr::place_of(product);
+    return place_of(catalogue, path);
   }
 
   static Format expect_format(const Request& request, const QueryString& query) {

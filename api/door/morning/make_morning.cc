@@ -63,6 +63,7 @@ ForecastPage page_of(std::shared_ptr<const Snapshot> forecast, const Site& site,
   page.forecast = std::move(forecast);
   page.making = known.making;
   page.time_zone = site.time_zone;
+  page.chart_datum = site.chart_datum;
   page.verified = verified_text(known.past);
   page.skill = known.past.entries;
   page.skill_note =

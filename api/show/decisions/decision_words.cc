@@ -44,6 +44,7 @@ std::string paragraph(const DecisionAnswer& one, const std::optional<TimeZone>& 
   line("said: " + said_text(row) + " (" + forecast_text(row) + ")");
   line("came: " + came_text(one));
   if (!row.note.empty()) line("note: " + row.note);
+  if (!row.hand_over.empty()) line("for the next shift: " + row.hand_over);
   if (!one.counts) line("a later record counts in its place");
   return text;
 }

@@ -33,7 +33,8 @@ std::string row_of(const DecisionAnswer& one) {
                                          what.broken_at ? format_utc(*what.broken_at) : "",
                                          csv_cell(what.why),
                                          csv_cell(joined(what.not_checked, "; ")),
-                                         csv_cell_of_people(row.note)},
+                                         csv_cell_of_people(row.note),
+                                         csv_cell_of_people(row.hand_over)},
                 ",");
 }
 
@@ -43,7 +44,7 @@ std::string decisions_csv(const DecisionsAnswer& answer) {
   std::string text =
       "id,site,task,turbine,start,work_h,decided,by,recorded_at,recorded_by,late,counts,"
       "forecast_id,forecast_sha256,forecast_issued,probability,verdict,why_nothing_said,came,"
-      "broken,broken_at,why_not_known,not_checked,note\n";
+      "broken,broken_at,why_not_known,not_checked,note,hand_over\n";
   for (const DecisionAnswer& one : answer.decisions) text += row_of(one) + "\n";
   return text;
 }

@@ -31,7 +31,8 @@ json row_json(const store::DecisionRow& row) {
            {{"probability", row.probability ? json(*row.probability) : json(nullptr)},
             {"verdict", text_or_null(row.verdict)},
             {"why_nothing", text_or_null(row.unsaid)}}},
-          {"note", text_or_null(row.note)}};
+          {"note", text_or_null(row.note)},
+          {"hand_over", text_or_null(row.hand_over)}};
 }
 
 }  // namespace

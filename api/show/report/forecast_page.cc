@@ -392,7 +392,7 @@ ReportInput forecast_page(const ForecastPage& what) {
     page.answer_title = "The answer " + when;
     page.answer.emplace_back("Current", "not in this forecast: see the sentence above");
   }
-  const SurfaceSeries surface = surface_series(s, what.truth);
+  const SurfaceSeries surface = surface_series(s, what.truth, what.chart_datum);
   page.series_time = s.time;
   page.series = surface.panels;
   page.series_note = surface.note;

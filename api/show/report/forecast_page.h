@@ -10,6 +10,7 @@
 #include "calibration/verify/skill_entry.h"
 #include "fields/base/local_time.h"
 #include "fields/service/snapshot.h"
+#include "fields/site/chart_datum.h"
 
 namespace slackwater::api {
 
@@ -28,9 +29,10 @@ struct ForecastPage {
   std::optional<double>
       depth_m;  ///< shown first; else 10 m, or half of a water less deep than 20 m
   double slack_below_m_s = 0.5;
-  std::optional<UtcDay> about;        ///< the day that it answers for; else the first whole one
-  std::optional<TimeZone> time_zone;  ///< of the site: local time beside UTC
-  std::string verified;               ///< a sentence: how past forecasts did; may be empty
+  std::optional<UtcDay> about;            ///< the day that it answers for; else the first whole one
+  std::optional<TimeZone> time_zone;      ///< of the site: local time beside UTC
+  std::optional<ChartDatum> chart_datum;  ///< as the site states it
+  std::string verified;                   ///< a sentence: how past forecasts did; may be empty
   std::vector<calibration::SkillEntry> skill;  ///< of past forecasts; may be empty
   std::string skill_note;                      ///< what was scored against what
   std::string generated;                       ///< when and by what

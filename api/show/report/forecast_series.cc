@@ -120,7 +120,8 @@ ReportSeries level_panel(const SeaLevel& level) {
 
 }  // namespace
 
-SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& truth) {
+SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& truth,
+                             const std::optional<ChartDatum>& chart_datum) {
   SurfaceSeries result;
   const ForecastColumn& column = forecast.columns.front();
   result.note = "Lines: central forecast; bands: 10 to 90 %.";
@@ -150,7 +151,8 @@ SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& trut
     ReportSeries panel = level_panel(column.sea_level);
     result.level = panel.lines.front();
     result.panels.push_back(std::move(panel));
-    result.note += " The level of the sea is of " + level_sources(column.sea_level) + ".";
+    result.note += " The level of the sea is of " + level_sources(column.sea_level) + ". It is " +
+                   datum_words(chart_datum) + ".";
   }
   if (truth.current) result.note += " Dashed: the truth.";
   return result;

@@ -3,6 +3,7 @@
 
 #include "api/show/report/report.h"
 #include "fields/service/snapshot.h"
+#include "fields/site/chart_datum.h"
 
 namespace slackwater::api {
 
@@ -21,6 +22,7 @@ struct SurfaceSeries {
 /// The band of the wind is that of its speed under the spread of the ensemble's winds (isotropic;
 /// fields/service/speed_quantiles.h); without an ensemble there is none. That of the waves is the
 /// forecast's own (`height_spread_of`).
-[[nodiscard]] SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& truth);
+[[nodiscard]] SurfaceSeries surface_series(const Snapshot& forecast, const ForecastTruth& truth,
+                                           const std::optional<ChartDatum>& chart_datum = {});
 
 }  // namespace slackwater::api

@@ -33,6 +33,7 @@ DecisionRow decision(std::int64_t forecast, int number = 1) {
   row.probability = 0.925;
   row.verdict = "go";
   row.note = "swell from the west; half of the crew";
+  row.hand_over = "the tow leaves at noon";
   return row;
 }
 
@@ -53,7 +54,7 @@ TEST_F(Decisions, ComeBackToTheLastFieldWithTheForecastTheyRestOn) {
   bare.decided = Decided::no_go;
   bare.work.reset();
   bare.probability.reset();
-  bare.turbine = bare.verdict = bare.note = "";
+  bare.turbine = bare.verdict = bare.note = bare.hand_over = "";
   bare.unsaid = "the forecast has no value";
   bare.by_clock = true;
   bare.start += std::chrono::hours(1);
@@ -117,6 +118,9 @@ TEST_F(Decisions, TheTableItselfRefusesWhatIsNoRecord) {
   EXPECT_THROW(store_.record_decision(row), Error);
   row = decision(row.forecast);
   row.note = std::string(2001, 'x');
+  EXPECT_THROW(store_.record_decision(row), Error);
+  row = decision(row.forecast);
+  row.hand_over = std::string(2001, 'x');
   EXPECT_THROW(store_.record_decision(row), Error);
   row = decision(row.forecast);
   row.probability = 1.1;
@@ -207,6 +211,34 @@ TEST(DecisionsOfAnOlderStore, AreRecordedAfterItsFirstOpening) {
   Store store = Store::open(folder, OpenMode::create_or_write);
   EXPECT_GT(store.record_decision(decision(samples::issue(store, 1))), 0);
   EXPECT_TRUE(store.check(true).sound);
+}
+
+TEST(DecisionsOfAnOlderStore, KeepTheirNoteAndHandNothingOver) {
+  const TemporaryFolder temporary;
+  const auto folder = temporary / "store";
+  DecisionRow row;
+  {
+    Store store = Store::open(folder, OpenMode::create_or_write);
+    row = decision(samples::issue(store, 1));
+  }
+  {
+    // A store of schema 7 with one decision.
+    Database database = Database::open(folder / "catalogue.sqlite", Database::Access::write);
+    database.execute("ALTER TABLE decision DROP COLUMN hand_over");
+    database.execute("PRAGMA user_version = 7");
+    ASSERT_EQ(schema_version(database), 7);
+    database.execute(
+        "INSERT INTO decision (site_id, task, turbine, start_ms, decided, decided_by, "
+        "recorded_at_ms, by_clock, forecast_id, verdict, unsaid, note) VALUES ('bay', 'scour', '', "
+        "0, 'go', 'Ann', 0, 1, " +
+        std::to_string(row.forecast) + ", '', 'none', 'For the next shift: tow')");
+  }
+  for (const OpenMode mode : {OpenMode::read_only, OpenMode::create_or_write}) {
+    const auto found = Store::open(folder, mode).find_decisions({});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].note, "For the next shift: tow");
+    EXPECT_EQ(found[0].hand_over, "");
+  }
 }
 
 TEST(ActionsOfAnOlderStore, HaveNoReasonAndStandForOne) {

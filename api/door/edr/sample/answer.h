@@ -47,6 +47,8 @@ struct ProductSource {
   std::string dataset_id;            ///< empty: its files do not say
   std::vector<std::string> runs;     ///< "analysis", "forecast of 2024-06-11T00:00:00Z"
   std::vector<std::string> sources;  ///< sha256 of the product files
+  /// Of what was measured: how far its place lies from the one that was asked about.
+  std::optional<double> distance_m{};
 };
 
 /// Where an answer comes from; every format carries it.

@@ -96,9 +96,11 @@ const Collection& collection_named(const std::string& id) {
     if (collection.id == id) return collection;
     known += (known.empty() ? "" : ", ") + collection.id;
   }
-  throw Error(ErrorKind::not_found,
-              "found no collection of that name; there are " + known +
-                  ", and product-KIND-ID for each stored product (see /collections)");
+  throw Error(
+      ErrorKind::not_found,
+      "found no collection of that name; there are " + known +
+          ", product-KIND-ID for each stored product, and instrument-KIND-NAME for what was "
+          "measured (see /collections)");
 }
 
 std::vector<Parameter> parameters_of(const Collection& collection, std::size_t members) {

@@ -93,11 +93,20 @@ std::string latitude_text(double degrees) {
 
 std::string title_of(const StoredProduct& product) {
   constexpr std::array<std::string_view, 3> kinds{"Currents", "Wind", "Waves"};
+  if (product.is_measured())
+    return std::string(kinds[static_cast<std::size_t>(product.kind)]) + " measured by " +
+           product.station;
   return std::string(kinds[static_cast<std::size_t>(product.kind)]) + " of " +
          (product.dataset_id.empty() ? product.product_id : product.dataset_id);
 }
 
 std::string description_of(const StoredProduct& product) {
+  if (product.is_measured()) {
+    return sentence("what the instruments of " + product.station + " measured of " +
+                    std::string(name_of(product.kind)) + ", product " + product.product_id) +
+           " Given where they stand, at their own times and levels: nothing is interpolated. Only "
+           "values whose quality was checked and found good; what is not is null.";
+  }
   std::string text = sentence(
       "the product's own values of " + std::string(name_of(product.kind)) + " as stored, " +
       (product.dataset_id.empty() ? "product " + product.product_id
@@ -120,10 +129,26 @@ std::string description_of(const StoredProduct& product) {
 }
 
 std::string held_text(const StoredProduct& product) {
+  if (product.is_measured()) {
+    return product.station + " measures at " + position_text(place_of(product)) +
+           " and is asked within some 5 km of it, " + format_utc(product.from) + "/" +
+           format_utc(product.to);
+  }
   return "the product holds " + longitude_text(product.bounds.west_deg) + " to " +
          longitude_text(product.bounds.east_deg) + ", " + latitude_text(product.bounds.south_deg) +
          " to " + latitude_text(product.bounds.north_deg) + ", " + format_utc(product.from) + "/" +
          format_utc(product.to);
+}
+
+GeoPoint place_of(const StoredProduct& measured) {
+  const slackwater::BoundingBox& box = measured.bounds;
+  const double east = box.east_deg < box.west_deg ? box.east_deg + 360 : box.east_deg;
+  return GeoPoint::from_degrees(0.5 * (box.south_deg + box.north_deg),
+                                std::remainder(0.5 * (box.west_deg + east), 360.0));
+}
+
+std::string own_location(const StoredProduct& measured) {
+  return measured.id.substr(std::string("instrument-").size() + name_of(measured.kind).size() + 1);
 }
 
 Vertical vertical_of(const StoredProduct& product) {
@@ -140,11 +165,12 @@ std::vector<Parameter> parameters_of(const StoredProduct& product) {
   }
   for (Parameter& parameter : list) {
     const bool is_direction = parameter.unit == "deg";
-    parameter.method = "product";
+    parameter.method = product.is_measured() ? "measured" : "product";
     parameter.description = parameter.label +
                             (is_direction ? ", degrees clockwise from true north" : "") +
-                            ", as the product has it";
+                            (product.is_measured() ? ", as measured" : ", as the product has it");
   }
+  if (product.is_measured()) return list;
   list.push_back({"forecast_period", "forecast_period", "Forecast period",
                   "Hours from the provider's run to the time: 0 of an analysis, null where the "
                   "files do not say when it was run",

@@ -17,10 +17,14 @@ namespace slackwater::api::edr {
 /// "the product holds 2.00 to 3.00 E, …, from … to …": what a refusal tells.
 [[nodiscard]] std::string held_text(const StoredProduct& product);
 
+/// Where the platform of what was measured stands, to some 500 m, and its name as a location.
+[[nodiscard]] GeoPoint place_of(const StoredProduct& measured);
+[[nodiscard]] std::string own_location(const StoredProduct& measured);
+
 [[nodiscard]] Vertical vertical_of(const StoredProduct& product);
 
 /// The quantities of its kind that it holds, of vectors speed and direction too, and behind them
-/// `forecast_period`.
+/// `forecast_period` of what was not measured.
 [[nodiscard]] std::vector<Parameter> parameters_of(const StoredProduct& product);
 
 /// The values of `parameters_of`, those selected, from `ProductValues::value`.

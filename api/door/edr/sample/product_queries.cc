@@ -107,7 +107,8 @@ Error between_times(const Asked& asked, const ProductView& view) {
       if (*row.first_time > instant) look_at(*row.first_time);
     }
   }
-  std::string found = "datetime " + format_utc(instant) + " in a gap of the product's times";
+  std::string found = "datetime " + format_utc(instant) + " in a gap of the " +
+                      (asked.product->is_measured() ? "instrument" : "product") + "'s times";
   if (before) found += ", after " + format_utc(*before);
   if (after) found += std::string(before ? " and" : ",") + " before " + format_utc(*after);
   if (view.damaged() > 0)
@@ -135,8 +136,10 @@ UtcTime time_for_instant(const Asked& asked, const ProductView& view,
   const bool is_later = centres[after] - instant < instant - centres[after - 1];
   const TimeCell& nearest = all[is_later ? after : after - 1];
   if (nearest.is_mean()) throw between_times(asked, view);
-  notes.push_back(format_utc(instant) + " is between the product's times: its values of " +
-                  format_utc(nearest.start) + ", the nearest, are given");
+  notes.push_back(format_utc(instant) + " is between " +
+                  (asked.product->is_measured() ? "the instrument" : "the product") +
+                  "'s times: its values of " + format_utc(nearest.start) +
+                  ", the nearest, are given");
   return nearest.start;
 }
 
@@ -146,8 +149,10 @@ std::vector<UtcTime> times_of(const Asked& asked, const ProductView& view,
   std::vector<UtcTime> times;
   for (const TimeCell& cell : view.time()) times.push_back(cell.centre());
   if (!times.empty()) return times;
-  throw outside(*asked.product, "no time of the product there in " + format_utc(asked.from) + "/" +
-                                    format_utc(asked.to));
+  throw outside(*asked.product,
+                "no time of the " +
+                    std::string(asked.product->is_measured() ? "instrument" : "product") +
+                    " there in " + format_utc(asked.from) + "/" + format_utc(asked.to));
 }
 
 /// Levels this near are one.
@@ -266,12 +271,27 @@ std::size_t absent(const ProductValues& values, SampleStatus status) {
   return count;
 }
 
+/// What is not given of an instrument, and why.
+void add_quality_note(const ProductValues& values, std::vector<std::string>& notes) {
+  std::string left_out;
+  const auto add = [&](SampleStatus status, const char* words) {
+    if (const std::size_t count = absent(values, status); count > 0)
+      left_out += (left_out.empty() ? "" : ", ") + std::to_string(count) + words;
+  };
+  add(SampleStatus::not_checked, " that nobody checked");
+  add(SampleStatus::suspect, " that were rejected");
+  add(SampleStatus::missing, " missing");
+  notes.push_back("values of good quality alone; not given: " +
+                  (left_out.empty() ? std::string("none") : left_out));
+}
+
 void add_notes(const StoredProduct& product, const ProductValues& values, std::size_t damaged,
                std::vector<std::string>& notes) {
+  if (product.is_measured()) add_quality_note(values, notes);
   for (std::size_t i = 0; i < sample_status_count; ++i) {
     const auto status = static_cast<SampleStatus>(i);
     const std::size_t count = absent(values, status);
-    if (count == 0) continue;
+    if (count == 0 || product.is_measured()) continue;
     notes.push_back(std::to_string(count) + " places and times without a value: " +
                     std::string(name_of(status)) + "; " + held_text(product));
   }
@@ -351,9 +371,12 @@ Answer filled(const Asked& asked, const ProductView& view, const Places& places,
   return answer;
 }
 
+Answer measured_near(const std::filesystem::path& store, const Asked& asked, const Path& points);
+
 Answer at_points(const std::filesystem::path& store, const Asked& asked, const Path& points,
                  bool have_own_levels) {
   const StoredProduct& product = *asked.product;
+  if (product.is_measured()) return measured_near(store, asked, points);
   Places places;
   Box box{1e9, 1e9, -1e9, -1e9};
   for (const Vertex& point : points) {
@@ -379,6 +402,88 @@ Answer at_points(const std::filesystem::path& store, const Asked& asked, const P
   static_cast<void>(moderate_work(asked.parameters.size(),
                                   points.size() * times.size() * levels_each, points.size()));
   return filled(asked, view, places, std::move(times), std::move(levels), std::move(notes));
+}
+
+/// Levels that are meant by the one of an instrument that is nearest, up to this far.
+constexpr double same_instrument_m = 2;
+
+/// The instrument's own levels, nearest to those that are asked for, each once.
+std::vector<double> own_levels(const Asked& asked, const ProductView& view,
+                               std::vector<std::string>& notes) {
+  const std::vector<double>& all = view.levels_m();
+  const bool has_levels = vertical_of(*asked.product) != Vertical::none && !all.empty();
+  if (!has_levels || !asked.z) return levels_of(asked, view);
+  const std::vector<double> wanted =
+      levels_asked(*asked.z, all.front() - same_instrument_m, all.back() + same_instrument_m, all,
+                   asked.product->station, levels_text(*asked.product, all));
+  std::set<double> own;
+  bool is_moved = false;
+  for (const double level : wanted) {
+    const double nearest = *std::min_element(all.begin(), all.end(), [&](double a, double b) {
+      return std::abs(a - level) < std::abs(b - level);
+    });
+    own.insert(nearest);
+    is_moved = is_moved || std::abs(nearest - level) > same_level_m;
+  }
+  if (is_moved)
+    notes.emplace_back(
+        "given at the levels of the instrument that are nearest to z: each has its "
+        "own");
+  return {own.begin(), own.end()};
+}
+
+/// What was measured, at its own place.
+/// @param from  the place that was asked about, where it is one
+Answer measured(const std::filesystem::path& store, const Asked& asked,
+                const std::optional<GeoPoint>& from) {
+  const StoredProduct& product = *asked.product;
+  const slackwater::BoundingBox& held = product.bounds;
+  const double east = held.east_deg < held.west_deg ? held.east_deg + 360 : held.east_deg;
+  const ProductView view(store, product,
+                         window_of(asked, {held.west_deg, held.south_deg, east, held.north_deg}));
+  std::vector<std::string> notes;
+  std::vector<UtcTime> times = times_of(asked, view, notes);
+  std::vector<double> levels = own_levels(asked, view, notes);
+  const GeoPoint place = point_of(view.longitude_deg().front(), view.latitude_deg().front());
+  if (view.longitude_deg().size() * view.latitude_deg().size() > 1)
+    notes.emplace_back("the platform was laid anew within 500 m; one of its places is given");
+  const std::optional<double> far_m = from ? std::optional(distance_m(*from, place)) : std::nullopt;
+  if (far_m && *far_m >= 0.5) {
+    notes.push_back(formatted("measured at {}, {:.0f} m from the place that was asked about",
+                              position_text(place), *far_m));
+  }
+  static_cast<void>(moderate_work(asked.parameters.size(),
+                                  times.size() * std::max<std::size_t>(1, levels.size()), 1));
+  Places places;
+  places.point = {place};
+  places.longitude_deg = {place.longitude_deg()};
+  places.latitude_deg = {place.latitude_deg()};
+  Answer answer =
+      filled(asked, view, places, std::move(times), std::move(levels), std::move(notes));
+  answer.provenance.product->distance_m = far_m;
+  return answer;
+}
+
+Answer measured_near(const std::filesystem::path& store, const Asked& asked, const Path& points) {
+  const StoredProduct& product = *asked.product;
+  for (const Vertex& point : points) {
+    if (!product.bounds.contains(point_of(point.longitude_deg, point.latitude_deg)))
+      throw outside(product, formatted("coords at {:.5f} {:.5f}, too far from the instrument",
+                                       point.longitude_deg, point.latitude_deg));
+  }
+  return measured(store, asked,
+                  point_of(points.front().longitude_deg, points.front().latitude_deg));
+}
+
+Answer measured_in(const std::filesystem::path& store, const Asked& asked, const AskedArea& shape) {
+  const GeoPoint place = place_of(*asked.product);
+  const double x = in_box(place.longitude_deg(), shape.box);
+  const double y = place.latitude_deg();
+  const bool is_in_box = x >= shape.box.west_deg && x <= shape.box.east_deg &&
+                         y >= shape.box.south_deg && y <= shape.box.north_deg;
+  if (!is_in_box || !shape.is_inside(x, y))
+    throw outside(*asked.product, "an area without the instrument");
+  return measured(store, asked, std::nullopt);
 }
 
 /// The product's own cells in the shape, or an even grid over it.
@@ -408,6 +513,7 @@ Axes axes_of(const ProductView& view, const AskedArea& shape, const Box& box,
 Answer over(const std::filesystem::path& store, const Asked& asked, const AskedArea& shape,
             const QueryString& query) {
   const StoredProduct& product = *asked.product;
+  if (product.is_measured()) return measured_in(store, asked, shape);
   const slackwater::BoundingBox& held = product.bounds;
   const double east = held.east_deg < held.west_deg ? held.east_deg + 360 : held.east_deg;
   const Box box = shared(shape.box, {held.west_deg, held.south_deg, east, held.north_deg});

@@ -67,6 +67,7 @@ void append_product_provenance(std::string& out, const Answer& answer) {
   out += ',';
   append_list(out, "sources_sha256", product.sources);
   out += ',';
+  if (product.distance_m) out += formatted("\"distance_m\":{:.0f},", *product.distance_m);
   append_list(out, "attributions", answer.provenance.attributions);
   out += ',';
   append_list(out, "notes", answer.notes);

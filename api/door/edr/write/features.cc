@@ -81,6 +81,27 @@ json location(const std::string& at, const Snapshot& snapshot, std::size_t c, Ut
             {"water_depth_m", column.water_depth_m}}}};
 }
 
+/// Where an instrument stands.
+json platform(const std::string& at, const StoredProduct& product, const json& names,
+              const CsvLink& csv) {
+  const std::string id = own_location(product);
+  const std::string endpoint = at + "/locations/" + percent_encoded(id);
+  const GeoPoint place = place_of(product);
+  return {{"type", "Feature"},
+          {"id", id},
+          {"links", json::array({{{"href", endpoint + "?f=csv" + csv.query},
+                                  {"rel", "data"},
+                                  {"type", "text/csv"},
+                                  {"title", csv.title}}})},
+          {"geometry",
+           {{"type", "Point"}, {"coordinates", {place.longitude_deg(), place.latitude_deg()}}}},
+          {"properties",
+           {{"datetime", format_utc(product.from) + "/" + format_utc(product.to)},
+            {"parameter-name", names},
+            {"label", product.station},
+            {"edrqueryendpoint", endpoint}}}};
+}
+
 json footprint(const slackwater::BoundingBox& box) {
   const double east = box.east_deg < box.west_deg ? box.east_deg + 360 : box.east_deg;
   return {{"type", "Polygon"},
@@ -125,6 +146,9 @@ json product_locations_document(const std::string& at, const StoredProduct& prod
   const CsvLink csv{"The last days of " + title_of(product) + " as CSV",
                     "&datetime=" + percent_encoded(last_days)};
   json features = json::array();
+  if (product.is_measured() &&
+      filter.takes(slackwater::box_of(place_of(product)), product.from, product.to))
+    features.push_back(platform(at, product, names, csv));
   for (const auto& site : catalogue.sites) {
     const Snapshot& snapshot = site.field->snapshot();
     for (std::size_t c = 0; c < snapshot.columns.size(); ++c) {

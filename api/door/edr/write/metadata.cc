@@ -343,9 +343,10 @@ ProductExample example_of(const StoredProduct& product, const ForecastCatalogue&
   example.at.longitude_deg = 0.5 * (box.west_deg + east);
   example.at.latitude_deg = 0.5 * (box.south_deg + box.north_deg);
   example.at.time = product.to;
+  example.is_at_a_site = product.is_measured();
   for (const auto& site : catalogue.sites) {
     const GeoPoint& point = site.field->snapshot().columns.front().point;
-    if (!box.contains(point)) continue;
+    if (product.is_measured() || !box.contains(point)) continue;
     example.at.longitude_deg = point.longitude_deg();
     example.at.latitude_deg = point.latitude_deg();
     example.is_at_a_site = true;
@@ -363,7 +364,8 @@ json product_queries(const std::string& at, const StoredProduct& product,
   for (const QueryType& type : query_types()) {
     if (!is_for_products(type.name)) continue;
     const std::string name(type.name);
-    const std::string what = name == "position" ? "The product at a point or several (MULTIPOINT)"
+    const std::string what = product.is_measured() ? "What was measured, at its own place"
+                             : name == "position" ? "The product at a point or several (MULTIPOINT)"
                              : name == "radius" ? "The product's cells within a distance of a point"
                              : name == "area"
                                  ? "The product's cells within a POLYGON or MULTIPOLYGON"
@@ -381,7 +383,9 @@ json product_queries(const std::string& at, const StoredProduct& product,
                                                   percent_encoded(format_utc(example.at.time));
   }
   queries["locations"] =
-      query_link(at, "locations", "Locations", "The product at the columns of each site by name",
+      query_link(at, "locations", "Locations",
+                 product.is_measured() ? "What was measured, by the platform's name"
+                                       : "The product at the columns of each site by name",
                  Detail::whole);
   return queries;
 }
@@ -400,7 +404,9 @@ json product_document(const std::string& base, const StoredProduct& product,
   return {{"id", product.id},
           {"title", title},
           {"description", description_of(product)},
-          {"keywords", {"product", name_of(product.kind), product.product_id}},
+          {"keywords",
+           {product.is_measured() ? "measured" : "product", name_of(product.kind),
+            product.is_measured() ? product.station : product.product_id}},
           {"links", links},
           {"extent", extent_of(product)},
           {"data_queries", product_queries(at, product, catalogue)},

@@ -118,8 +118,10 @@ json openapi_document(const std::string& base, const ForecastCatalogue& catalogu
       {"info",
        {{"title", "Slackwater"},
         {"description",
-         "Forecasts of current, wind, waves and sea level for offshore sites, and the products "
-         "they were made from, over OGC API-EDR 1.1. Nothing here writes, and nothing is "
+         "Forecasts of current, wind, waves and sea level for offshore sites, the products they "
+         "were "
+         "made from and what instruments measured, over OGC API-EDR 1.1. Nothing here writes, and "
+         "nothing is "
          "access-controlled."},
         {"version", code_version()},
         {"license", {{"name", "See the repository"}}}}},

@@ -203,6 +203,7 @@ export interface Decision {
   late: boolean;
   counts: boolean;
   note: string | null;
+  hand_over: string | null;
   said: { probability: number | null; verdict: Verdict | null; why_nothing: string | null };
   came: {
     outcome: 'held' | 'did_not_hold' | 'not_known_yet' | 'cannot_be_known';

@@ -65,10 +65,14 @@ export function decisions_list(answer: Answer<Decisions>, site: string, look: Lo
       ),
       `${it.by}, ${look.time(Date.parse(it.recorded_at))}${it.late ? ', after the start' : ''}`,
       it.note ?? '',
+      it.hand_over ?? '',
     ];
   });
   rows.reverse(); // the newest first
-  const heads = ['Start', 'Task', 'Decided', 'The program said', 'What came', 'By', 'Note'];
+  const heads = [
+    ...['Start', 'Task', 'Decided', 'The program said', 'What came', 'By', 'Note'],
+    'For the next shift',
+  ];
   node.append(scroll_region('Recorded decisions', table_of(heads, rows)));
   return node;
 }

@@ -20,6 +20,7 @@ export interface Signed {
   decided: 'go' | 'no_go';
   by: string;
   note: string;
+  hand_over: string;
   forecast: string; // that was looked at
   in_place_of: number | null; // the record that was seen to count
 }
@@ -36,18 +37,13 @@ export function counting(
   );
 }
 
-/** One line: a record has no other. */
-export function note_of(why: string, hand_over: string): string {
-  const line = (text: string): string =>
-    text
-      .split(/\s*\n\s*/)
-      .map((part) => part.trim())
-      .filter((part) => part !== '')
-      .join(' / ');
-  const told = line(hand_over);
-  return [line(why), told === '' ? '' : `For the next shift: ${told}`]
+/** A record has one line of each. */
+export function one_line(text: string): string {
+  return text
+    .split(/\s*\n\s*/)
+    .map((part) => part.trim())
     .filter((part) => part !== '')
-    .join('. ');
+    .join(' / ');
 }
 
 export function signed(
@@ -64,7 +60,8 @@ export function signed(
     start,
     decided,
     by: by.trim(),
-    note: note_of(why, hand_over),
+    note: one_line(why),
+    hand_over: one_line(hand_over),
     forecast,
     in_place_of: counting(decisions, wish)?.id ?? null,
   };

@@ -56,7 +56,7 @@ export class SignOff {
         'div',
         { class: 'sign-who' },
         labelled('Who decides', this.who),
-        labelled('For the next shift', this.hand_over, 'Goes into the note of each decision.'),
+        labelled('For the next shift', this.hand_over, 'Kept with each decision.'),
       ),
       button('Check, then sign …', () => void this.check()),
     );
@@ -261,7 +261,9 @@ export class SignOff {
         element('b', {}, DECIDED[wish.decided]),
         ` for ${this.of(wish)}. The program says: ${wish.said}`,
       );
-      if (bodies[i]?.note !== '') line.append(`. Note: ${bodies[i]?.note}`);
+      const { note = '', hand_over = '' } = bodies[i] ?? {};
+      if (note !== '') line.append(`. Note: ${note}`);
+      if (hand_over !== '') line.append(`. For the next shift: ${hand_over}`);
       if (before !== undefined) {
         const when = desk.look.time(Date.parse(before.recorded_at));
         line.append(

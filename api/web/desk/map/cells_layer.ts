@@ -179,7 +179,7 @@ export function cells_layer(desk: Desk, wait_ms = WAIT_MS): CellsLayer {
   };
   const load = async (): Promise<void> => {
     try {
-      products = await fetch_products(server);
+      products = (await fetch_products(server)).filter((one) => !one.is_measured);
     } catch (problem) {
       if (!(problem instanceof Refused)) throw problem;
       products = []; // what the server says of itself stands elsewhere

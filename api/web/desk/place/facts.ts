@@ -3,6 +3,7 @@ import type { Look } from '../look/look';
 import { element } from '../../look/element';
 import { is_known, NOT_KNOWN } from '../look/units';
 import { level_index, time_index, value_at, type Column, type Value } from '../server/coverage';
+import type { ChartDatum } from '../server/answers';
 import type { Level } from './profile';
 import type { Water } from './water';
 
@@ -14,6 +15,7 @@ export function facts_of(
   levels: Level[],
   depth_m: number,
   at_ms: number,
+  datum: ChartDatum | null,
 ): Fact[] {
   const facts: Fact[] = [];
   const { currents, wind, waves, tide } = water;
@@ -45,7 +47,7 @@ export function facts_of(
   if (tide.column !== null) {
     const name = tide_name(tide.column);
     const level = name === null ? null : reader(tide.column, at_ms, 0)(name);
-    facts.push(['Tide', is_known(level) ? `${signed(level)} m about mean sea level` : NOT_KNOWN]);
+    facts.push(['Tide', is_known(level) ? tide_words(level, datum) : NOT_KNOWN]);
   }
   return facts;
 }
@@ -61,6 +63,22 @@ function reader(column: Column | null, at_ms: number, level: number): (name: str
 }
 
 const signed = (value: number): string => `${value < 0 ? '−' : '+'}${Math.abs(value).toFixed(2)}`;
+
+/** Over both levels; another level to count from is another unit, and no other number. */
+export function tide_words(level_m: number, datum: ChartDatum | null): string {
+  const over_mean = `${signed(level_m)} m over mean sea level`;
+  if (datum === null) return `${over_mean}; the site states no chart datum`;
+  const over_datum = signed(level_m + datum.below_mean_sea_level_m);
+  return `${over_mean}, ${over_datum} m over chart datum (${datum.name})`;
+}
+
+/** What stands below the tide's lines. */
+export function datum_words(datum: ChartDatum | null): string {
+  if (datum === null) return 'Over mean sea level; the site states no chart datum.';
+  const below_m = datum.below_mean_sea_level_m.toFixed(2);
+  const is_below = `is ${below_m} m below it: ${datum.source}`;
+  return `Over mean sea level. Chart datum (${datum.name}) ${is_below}.`;
+}
 
 /** The tide's own value among the parameters: not a band's. */
 export function tide_name(column: Column): string | null {

@@ -1,4 +1,5 @@
-// Our forecast at the place and the stored products that reach it, quantity by quantity.
+// Our forecast at the place, the stored products that reach it and what was measured near it,
+// quantity by quantity.
 import type { ForecastInForce } from '../server/answers';
 import { value_at, type Column } from '../server/coverage';
 import {
@@ -8,6 +9,7 @@ import {
   reaches,
   type Kind,
   type Product,
+  type ProductTold,
 } from '../server/products';
 import type { Server } from '../server/server';
 import type { Place } from '../view';
@@ -19,6 +21,7 @@ const PERIOD = 'forecast_period';
 export interface Model {
   letter: string; // at the end of its line
   name: string;
+  is_measured: boolean;
   level_m: number | null; // asked for
   told: Told;
   runs: string[];
@@ -41,7 +44,9 @@ export async function fetch_compared(
   place: Place,
   depth_m: number,
 ): Promise<Compared | null> {
-  const there = products.filter((one) => one.kind === kind && reaches(one, place));
+  const there = products.filter(
+    (one) => one.kind === kind && reaches(one, place) && measures_then(one, forecast),
+  );
   if (there.length === 0) return null;
   const { size, way } = QUANTITIES[kind];
   const query = (level_m: number | null, names: string[]): string => {
@@ -69,7 +74,8 @@ export async function fetch_compared(
     const came = await fetch_product(server, product, query(level_m, names));
     return {
       letter: letter_of(i),
-      name: product.name,
+      name: product.is_measured ? measured_name(product, came, level_m) : product.name,
+      is_measured: product.is_measured,
       level_m,
       told: said(came.columns[0], size, came.refused, came.notes),
       runs: came.runs,
@@ -78,6 +84,19 @@ export async function fetch_compared(
   });
   const [ours, models] = await Promise.all([of_ours, Promise.all(of_products)]);
   return { kind, level_m: levels[0] ?? null, ours: new Map(ours), models };
+}
+
+/** A mooring of another year has nothing to say, and is not listed as silent. */
+function measures_then({ is_measured, from_ms, to_ms }: Product, of: ForecastInForce): boolean {
+  return !is_measured || (from_ms <= Date.parse(of.valid_to) && to_ms >= Date.parse(of.valid_from));
+}
+
+/** "measured by FINO1, 0.8 km away, at 9.5 m": where the instrument hangs, if that is elsewhere. */
+function measured_name(product: Product, came: ProductTold, level_m: number | null): string {
+  const far = came.distance_m === null ? '' : `, ${(came.distance_m / 1000).toFixed(1)} km away`;
+  const own_m = came.columns[0]?.levels_m[0];
+  const is_there = level_m === null || own_m === undefined || own_m === level_m;
+  return `${product.name}${far}${is_there ? '' : `, at ${own_m} m`}`;
 }
 
 /** Values that are all missing are told as the server explains them. */
@@ -101,7 +120,8 @@ export function letter_of(index: number): string {
 }
 
 /** What a product's value is, by its `forecast_period`: hours from the provider's run. */
-export function what_it_is(column: Column, time: number): string {
+export function what_it_is(column: Column, time: number, is_measured: boolean): string {
+  if (is_measured) return 'measured';
   const hours = value_at(column, PERIOD, time, 0);
   if (hours === null) return 'the files do not say of which run';
   return hours === 0 ? 'analysis' : `forecast, ${hours} h from its run`;

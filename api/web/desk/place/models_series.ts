@@ -41,17 +41,18 @@ export function models_series(look: Look, compared: Compared): Series | null {
       wide: true,
     });
   }
-  models.forEach(({ letter, name, level_m, told: { column } }, i) => {
+  models.forEach(({ letter, name, is_measured, level_m, told: { column } }, i) => {
     if (column === null) return;
     lines.push({
-      name: level_m === compared.level_m ? name : `${name}, at ${level_m} m`,
+      name: level_m === compared.level_m || is_measured ? name : `${name}, at ${level_m} m`,
       end: letter,
       values: shown(values_of(column, size)),
       times_ms: column.times_ms,
       band: null,
-      dash: DASHES[i % DASHES.length] ?? [9, 4],
-      sign: SIGNS[i % SIGNS.length] ?? 'circle',
-      colour: OTHERS[i % OTHERS.length] ?? 'ink',
+      // What was measured is no model: a thin whole line with crosses.
+      dash: is_measured ? 'solid' : (DASHES[i % DASHES.length] ?? [9, 4]),
+      sign: is_measured ? 'cross' : (SIGNS[i % SIGNS.length] ?? 'circle'),
+      colour: is_measured ? 'ink' : (OTHERS[i % OTHERS.length] ?? 'ink'),
     });
   });
   if (lines.length === 0) return null;

@@ -38,9 +38,9 @@ export function models_table(
   at_ms: number,
 ): HTMLElement {
   const heads = ['Model', 'It says', 'We say', 'It is'];
-  const row = ({ letter, name, level_m, told: { column } }: Model): HTMLElement => {
+  const row = ({ letter, name, is_measured, level_m, told: { column } }: Model): HTMLElement => {
     const time = column === null ? -1 : time_index(column, at_ms);
-    const height = kind === 'wind' && level_m !== null ? `, at ${level_m} m` : '';
+    const height = kind === 'wind' && level_m !== null && !is_measured ? `, at ${level_m} m` : '';
     const beside = column === null || time < 0 ? [] : beside_lines(look, column, time);
     const cells: (string | Node)[][] = [
       [
@@ -48,7 +48,7 @@ export function models_table(
         ...beside.map((line) => element('div', { class: 'note' }, line)),
       ],
       [value_text(look, kind, ours.get(level_m ?? 0)?.column ?? null, at_ms)],
-      [column === null || time < 0 ? NOT_KNOWN : what_it_is(column, time)],
+      [column === null || time < 0 ? NOT_KNOWN : what_it_is(column, time, is_measured)],
     ];
     return element(
       'tr',

@@ -84,7 +84,7 @@ export function wave_series(look: Look, column: Column): Series {
 export function tide_series(column: Column): Series {
   const name = tide_name(column);
   const line: Line = {
-    name: 'level about mean sea level',
+    name: 'level over mean sea level',
     values: name === null ? [] : values_of(column, name),
     band: name === null ? null : band_of(column, name),
     dash: 'solid',

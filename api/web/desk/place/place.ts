@@ -9,7 +9,7 @@ import type { SiteMap } from '../server/answers';
 import { time_index, type Column } from '../server/coverage';
 import { Refused } from '../server/server';
 import { depth_time_chart } from './depth_time_chart';
-import { facts_of, level_table } from './facts';
+import { datum_words, facts_of, level_table } from './facts';
 import { hodograph_chart } from './hodograph_chart';
 import { modelsPart } from './models_part';
 import { tide_series, wave_series, wind_series } from './over_time';
@@ -56,6 +56,7 @@ export function placePart(desk: Desk): HTMLElement {
     series('waves', (column) => wave_series(look, column)),
   );
   const tide = series_chart(desk, 'Tide', series('tide', tide_series));
+  const counted_from = element('p', { class: 'note' });
   const over_time = [depths, wind, waves, tide];
 
   const table = element('div');
@@ -80,7 +81,7 @@ export function placePart(desk: Desk): HTMLElement {
     box_of('currents', 'Current over depth and time', [depths.node, depths.legend]),
     box_of('wind', 'Wind', [wind.node, wind.legend]),
     box_of('waves', 'Waves', [waves.node, waves.legend]),
-    box_of('tide', 'Tide', [tide.node, tide.legend]),
+    box_of('tide', 'Tide', [tide.node, tide.legend, counted_from]),
   ];
 
   const show_head = (): void => {
@@ -107,7 +108,14 @@ export function placePart(desk: Desk): HTMLElement {
       facts.replaceChildren();
       return;
     }
-    const list = facts_of(look, water, levels, view.values.depth_m, at_ms);
+    const list = facts_of(
+      look,
+      water,
+      levels,
+      view.values.depth_m,
+      at_ms,
+      site?.chart_datum ?? null,
+    );
     const spoken = list.map(([name, value]) => `${name}: ${value}`);
     facts.replaceChildren(
       ...list.map(([name, value]) =>
@@ -132,6 +140,7 @@ export function placePart(desk: Desk): HTMLElement {
     for (const [kind, box, refused] of boxes) show_told(box, refused, water?.[kind] ?? null);
     most_m_s = column_of('currents') === null ? 0 : largest_m_s(column_of('currents') as Column);
     for (const each of over_time) each.draw();
+    set_text(counted_from, datum_words(site?.chart_datum ?? null));
     show_hour();
   };
   let asked = 0;

@@ -68,7 +68,7 @@ function option(desk: Desk, it: Series, width_px: number): Option {
     const signs = {
       showSymbol: true,
       showAllSymbol: true,
-      symbol: line.sign,
+      symbol: line.sign === 'cross' ? `path://${SIGNS.cross}` : line.sign,
       symbolSize: (_: unknown, { dataIndex }: { dataIndex: number }) =>
         dataIndex % every === 0 ? 7 : 0,
       itemStyle: { color: paint.paper, borderColor: paint[line.colour], borderWidth: 1.5 },
@@ -233,6 +233,7 @@ const SIGNS = {
   rect: 'M11.5,3.5 h7 v7 h-7 Z',
   triangle: 'M15,3.5 L18.5,10.5 h-7 Z',
   diamond: 'M15,3.5 L18.5,7 L15,10.5 L11.5,7 Z',
+  cross: 'M11.5,3.5 L18.5,10.5 M11.5,10.5 L18.5,3.5', // what was measured
 };
 
 function sign_of(sign: keyof typeof SIGNS, stroke: string): SVGElement {

@@ -41,6 +41,13 @@ export interface SiteInSites {
   report_page: string | null;
 }
 
+/** From what charts count, as the site's file states it: a plane below mean sea level. */
+export interface ChartDatum {
+  name: string;
+  below_mean_sea_level_m: number;
+  source: string;
+}
+
 /** /sites/ID. The server leaves out what it does not know; here it is then empty. */
 export interface SiteMap {
   id: string;
@@ -49,6 +56,7 @@ export interface SiteMap {
   time_zone: string | null;
   shift: string | null;
   water_depth_m: number | null;
+  chart_datum: ChartDatum | null;
   hub_height_m: number | null;
   columns: (Place & { location: string; bed_m: number | null })[];
   levels_m: number[];
@@ -83,6 +91,7 @@ export function whole_site(answer: Partial<SiteMap> & { id: string }): SiteMap {
     time_zone: null,
     shift: null,
     water_depth_m: null,
+    chart_datum: null,
     hub_height_m: null,
     columns: [],
     levels_m: [],

@@ -1,4 +1,5 @@
-// Stored products as the server lists them among its collections: each with its own values.
+// Stored products, and what instruments measured, as the server lists them among its collections:
+// each with its own values.
 import type { Place } from '../view';
 import { read_coverages, type Column } from './coverage';
 import { Refused, type Server } from './server';
@@ -26,11 +27,14 @@ export interface Product {
   id: string;
   kind: Kind;
   name: string;
+  is_measured: boolean; // at one place, by instruments
   /** West, south, east, north; west > east across the antimeridian. */
   boxes: [number, number, number, number][];
   /** Of its levels, depth down or height up; null where it has none. */
   levels: { least_m: number; most_m: number } | null;
   parameters: string[];
+  from_ms: number;
+  to_ms: number;
 }
 
 /** What was asked of a product: its values, or in their place what the server said. */
@@ -39,6 +43,7 @@ export interface ProductTold {
   /** Of all its cells, those without a value too. */
   axes: { x: number[]; y: number[] };
   refused: string | null;
+  distance_m: number | null; // of what was measured, from the place that was asked about
   runs: string[]; // as the server says them: "analysis", "forecast of TIME"
   notes: string[];
 }
@@ -49,6 +54,7 @@ interface Collection {
   keywords?: string[];
   extent?: {
     spatial?: { bbox?: number[][] };
+    temporal?: { interval?: string[][] };
     vertical?: { interval?: (string | number)[][] };
   };
   parameter_names?: Record<string, unknown>;
@@ -56,7 +62,7 @@ interface Collection {
 
 interface Answer {
   domain?: { axes?: { x?: { values?: number[] }; y?: { values?: number[] } } };
-  'slackwater:provenance'?: { runs?: string[]; notes?: string[] };
+  'slackwater:provenance'?: { runs?: string[]; notes?: string[]; distance_m?: number };
 }
 
 export async function fetch_products(server: Server): Promise<Product[]> {
@@ -64,16 +70,21 @@ export async function fetch_products(server: Server): Promise<Product[]> {
   return collections.flatMap((collection) => {
     const { id, keywords = [], extent, parameter_names = {} } = collection;
     const kind = KINDS.find((one) => keywords.includes(one));
-    if (!keywords.includes('product') || kind === undefined) return [];
+    const is_measured = keywords.includes('measured');
+    if (!(keywords.includes('product') || is_measured) || kind === undefined) return [];
+    const [from = '', to = ''] = extent?.temporal?.interval?.[0] ?? [];
     const [least_m = NaN, most_m = NaN] = extent?.vertical?.interval?.[0]?.map(Number) ?? [];
     return [
       {
         id,
         kind,
-        name: (collection.title ?? id).replace(/^\w+ of /, ''),
+        name: (collection.title ?? id).replace(/^\w+ (of )?/, ''),
+        is_measured,
         boxes: (extent?.spatial?.bbox ?? []).flatMap((box) => corners(box)),
         levels: least_m <= most_m ? { least_m, most_m } : null,
         parameters: Object.keys(parameter_names),
+        from_ms: Date.parse(from),
+        to_ms: Date.parse(to),
       },
     ];
   });
@@ -113,13 +124,14 @@ export async function fetch_product(
     const answer = await server.get<Answer>(
       `/collections/${encodeURIComponent(product.id)}/${query}`,
     );
-    const { runs = [], notes = [] } = answer['slackwater:provenance'] ?? {};
+    const { runs = [], notes = [], distance_m = null } = answer['slackwater:provenance'] ?? {};
     const columns = read_coverages(answer).filter(({ times_ms }) => times_ms.length > 0);
     const { x, y } = answer.domain?.axes ?? {};
     const axes = { x: x?.values ?? [], y: y?.values ?? [] };
-    return { columns, axes, refused: null, runs, notes };
+    return { columns, axes, refused: null, distance_m, runs, notes };
   } catch (problem) {
     if (!(problem instanceof Refused)) throw problem;
-    return { columns: [], axes: { x: [], y: [] }, refused: problem.detail, runs: [], notes: [] };
+    const axes = { x: [], y: [] };
+    return { columns: [], axes, refused: problem.detail, distance_m: null, runs: [], notes: [] };
   }
 }

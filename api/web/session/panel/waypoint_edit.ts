@@ -72,7 +72,7 @@ export function waypoint_edit(
     rows,
   );
   const plan_note = element('p', { class: 'plan-note', 'aria-hidden': 'true' });
-  const word = element('p', { class: 'verdict', role: 'status' });
+  const word = element('p', { class: 'reply', role: 'status' });
   const begin = button('Edit the way', () => start());
   const send = button('Send the way', () => send_all(), { class: 'strong' });
   const drop = button('Drop the changes', () => end());

@@ -18,7 +18,8 @@ class DeskDecisions : public DeskServed {
             {"start", start},
             {"decided", "go"},
             {"by", "Änne O'Name"},
-            {"note", "swell dies by six"}};
+            {"note", "swell dies by six"},
+            {"hand_over", "the tow leaves at noon"}};
   }
   static json filed(const json& body) {
     const HttpReply answer = posted("/sites/farm/decisions", body);
@@ -50,6 +51,7 @@ TEST_F(DeskDecisions, AreFiledAsTheCommandFilesThemToTheByte) {
     std::vector<std::string> words{"decide", "--site", "farm"};
     for (const char* key : {"task", "turbine", "start", "by", "note", "at"})
       if (body.contains(key)) words.insert(words.end(), {std::string("--") + key, body.at(key)});
+    words.insert(words.end(), {"--hand-over", body.at("hand_over")});
     words.emplace_back(body.at("decided") == "go" ? "--go" : "--no-go");
     const ProgramResult by_command = other.run(words);
     ASSERT_EQ(by_command.exit_code, 0) << by_command.err;
@@ -133,6 +135,7 @@ TEST_F(DeskDecisions, WhatCannotBeFiledLeavesTheStoreAsItWas) {
       {with(good, "by", std::string(201, 'a')), 400, "by: found 201"},
       {with(good, "by", "A\nB"), 400, "by: "},
       {with(good, "note", "x\u202ey"), 400, "note: "},
+      {with(good, "hand_over", "x\ny"), 400, "hand_over: "},
       {with(good, "decided", "perhaps"), 400, "'perhaps'"},
       {with(good, "start", "at noon"), 400, "start: "},
       {with(good, "start", "2025-03-04T12:00:30Z"), 400, "start: found 2025-03-04T12:00:30Z"},

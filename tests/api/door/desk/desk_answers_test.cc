@@ -148,6 +148,17 @@ TEST_F(DeskAnswers, ASiteSaysWhatLiesThere) {
   EXPECT_EQ(got("/sites/bare").at("forecast"), nullptr);
 }
 
+TEST_F(DeskAnswers, ASiteSaysItsChartDatumOrThatItStatesNone) {
+  EXPECT_EQ(got("/sites/farm").at("chart_datum"), nullptr);
+  const std::filesystem::path file = made_->store() / "sites" / "farm.yaml";
+  const std::string yaml = read_bytes(file);
+  std::ofstream(file)
+      << yaml << "chart_datum: {name: LAT, below_mean_sea_level_m: 5.93, source: a chart}\n";
+  EXPECT_EQ(got("/sites/farm").at("chart_datum"),
+            json({{"name", "LAT"}, {"below_mean_sea_level_m", 5.93}, {"source", "a chart"}}));
+  std::ofstream(file) << yaml;
+}
+
 TEST_F(DeskAnswers, ASiteSaysTheNamedPortsOfItsPlan) {
   EXPECT_EQ(got("/sites/farm").at("ports"), json::array()) << "its plan names none";
   const std::filesystem::path file = made_->store() / "plans" / "farm.yaml";

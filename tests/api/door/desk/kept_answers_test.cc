@@ -38,5 +38,36 @@ TEST(KeptAnswersOfTheDesk, WhatIsBeingWorkedOutIsForgottenToo) {
   EXPECT_EQ(kept.answer("decisions", [] { return said("worked out again"); }).body, "after");
 }
 
+TEST(KeptAnswersOfTheDesk, AreBoundedInBytesAndTheOldestGoFirst) {
+  const TemporaryFolder folder;
+  KeptAnswers kept(
+      folder / "store", folder / "data", [] { return UtcTime(); }, 1000);
+  int made = 0;
+  const auto ask = [&](const std::string& question, std::size_t bytes) {
+    const std::size_t told = kept.answer(question,
+                                         [&] {
+                                           ++made;
+                                           return said(std::string(bytes, 'x'));
+                                         })
+                                 .body.size();
+    EXPECT_EQ(told, bytes);
+    EXPECT_LE(kept.kept_bytes(), 1000U);
+  };
+  ask("first", 400);
+  ask("second", 400);
+  ask("third", 400);
+  EXPECT_EQ(kept.kept_bytes(), 800U);
+  ask("second", 400);
+  ask("third", 400);
+  EXPECT_EQ(made, 3) << "both are kept";
+  ask("first", 400);
+  EXPECT_EQ(made, 4) << "it went";
+  ask("too much", 1001);
+  ask("too much", 1001);
+  EXPECT_EQ(made, 6) << "it is answered, and not kept";
+  kept.forget();
+  EXPECT_EQ(kept.kept_bytes(), 0U);
+}
+
 }  // namespace
 }  // namespace slackwater::tests::kept_answers_test

@@ -135,6 +135,10 @@ TEST(ForecastPage, ShowsTheLevelOfTheSeaWithItsBandWhereTheForecastHasOne) {
                        "The level of the sea is of product forecast, then harmonic tide."))
       << page.series_note;
   EXPECT_FALSE(contains(forecast_page(page_of(made_up())).series_note, "level of the sea"));
+  EXPECT_TRUE(contains(page.series_note, "the site states no chart datum."));
+  ForecastPage stated = page_of(std::move(s));
+  stated.chart_datum = ChartDatum{"LAT", 5.93, "chart 7128"};
+  EXPECT_TRUE(contains(forecast_page(stated).series_note, "chart datum (LAT) is 5.93 m below it."));
 }
 
 TEST(ForecastPage, BandOfTheWindIsTheSpreadOfItsMembers) {

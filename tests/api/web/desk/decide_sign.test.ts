@@ -2,7 +2,7 @@
 import { expect, test } from 'vitest';
 import type { Decision } from 'page/decide/answers';
 import { decidePart } from 'page/decide/decide';
-import { counting, note_of, signed, type Wish } from 'page/decide/sign_draft';
+import { counting, one_line, signed, type Wish } from 'page/decide/sign_draft';
 import { report, start, windows, windows_task } from './decide_made';
 import { late_server, two_sites, type LateServer } from './late';
 
@@ -17,6 +17,7 @@ const decision = (some: Partial<Decision> = {}): Decision => ({
   late: false,
   counts: true,
   note: null,
+  hand_over: null,
   said: { probability: 0.7, verdict: 'marginal', why_nothing: null },
   came: { outcome: 'not_known_yet', broken: null, broken_at: null, why: null, not_checked: [] },
   ...some,
@@ -41,13 +42,14 @@ test('TheRecordThatCountsIsOfTheSameTaskTurbineAndStart', () => {
     decision({ id: 5, start: '2025-03-14T06:00Z' }),
   ];
   expect(counting(all, wish)?.id).toBe(5);
-  expect(signed(wish, ' A. Name ', '', 'abc', all)).toEqual({
+  expect(signed(wish, ' A. Name ', 'tow\n call the port', 'abc', all)).toEqual({
     task: 'scour',
     turbine: 'A01',
     start: '2025-03-14T06:00:00Z',
     decided: 'go',
     by: 'A. Name',
     note: '',
+    hand_over: 'tow / call the port',
     forecast: 'abc',
     in_place_of: 5,
   });
@@ -56,13 +58,12 @@ test('TheRecordThatCountsIsOfTheSameTaskTurbineAndStart', () => {
   expect('turbine' in alone).toBe(false);
 });
 
-test('ANoteIsOneLine', () => {
-  expect(note_of('', '')).toBe('');
-  expect(note_of(' swell ', '')).toBe('swell');
-  expect(note_of('', 'tow at noon\n\n call the port ')).toBe(
-    'For the next shift: tow at noon / call the port',
-  );
-  expect(note_of('swell', 'tow')).toBe('swell. For the next shift: tow');
+test('ANoteIsOneLineAndTheHandOverIsNoPartOfIt', () => {
+  expect(one_line('')).toBe('');
+  expect(one_line(' swell ')).toBe('swell');
+  expect(one_line('tow at noon\n\n call the port ')).toBe('tow at noon / call the port');
+  const both = signed({ ...wish, why: 'swell' }, 'A', 'tow', 'abc', []);
+  expect([both.note, both.hand_over]).toEqual(['swell', 'tow']);
 });
 
 const SCOUR = windows_task({ starts: [start(6, 0.7), start(7, 0.95), start(8, 0.6)] });
@@ -144,7 +145,8 @@ test('WhatIsReadIsWhatIsSigned', async () => {
     start: '2025-03-14T07:00:00Z',
     decided: 'go',
     by: 'A. Name',
-    note: 'For the next shift: tow at noon',
+    note: '',
+    hand_over: 'tow at noon',
     forecast: 'efe11b41e9ec739392fc',
     in_place_of: 7,
   });
@@ -152,7 +154,8 @@ test('WhatIsReadIsWhatIsSigned', async () => {
   expect(JSON.parse(waiting[0]?.sent ?? '')).toMatchObject({
     task: 'scan',
     decided: 'no_go',
-    note: 'too rough. For the next shift: tow at noon',
+    note: 'too rough',
+    hand_over: 'tow at noon',
     in_place_of: null,
   });
   const refusal = { title: 'Conflict', detail: 'found decision 9 on this start meanwhile' };

@@ -92,6 +92,9 @@ test('AnExtentMayCrossTheDateLineAndNameItsLevels', () => {
     boxes,
     levels: null,
     parameters: [],
+    is_measured: false,
+    from_ms: 0,
+    to_ms: 0,
   });
   const at = (longitude_deg: number): { longitude_deg: number; latitude_deg: number } => ({
     longitude_deg,
@@ -239,4 +242,60 @@ test('NeitherAnotherPlaceNorAnotherDepthShowsNumbersThatComeTooLate', async () =
   expect([...node.querySelectorAll('div')].find((box) => box.querySelector('h4'))?.hidden).toBe(
     true,
   );
+});
+
+const MOORING = {
+  ...collection('instrument-currents-M1', 'currents', {
+    title: 'Currents measured by M1',
+    keywords: ['measured', 'currents', 'M1'],
+  }),
+};
+const during = (from: string, to: string): object => ({
+  ...MOORING,
+  extent: {
+    spatial: { bbox: [[-3, 48, -2, 49]] },
+    temporal: { interval: [[from, to]] },
+    vertical: { interval: [['4.2', '25.0']] },
+  },
+});
+
+async function measured_beside(mooring: object): Promise<Compared | null> {
+  const { desk } = server_of({
+    '/collections/one/': coverage(speeds(0.5, 0.5)),
+    '/collections/currents/': coverage(speeds(0.4, 0.4)),
+    '/collections/instrument-currents-M1/': {
+      ...(coverage(speeds(0.3, null), {
+        runs: ['observation'],
+        notes: ['values of good quality alone; not given: 1 that were rejected'],
+        distance_m: 812,
+      }) as object),
+    },
+    '/collections': { collections: [collection('one', 'currents'), mooring] },
+  });
+  if (forecast == null) throw new Error('there is no forecast');
+  const products = await fetch_products(desk.server);
+  return fetch_compared(desk.server, 'currents', products, forecast, PLACE, 5);
+}
+
+test('WhatWasMeasuredStandsBesideTheModelsWithItsDistanceAndItsGaps', async () => {
+  const came = await measured_beside(during('2024-01-01T00:00:00Z', '2026-01-01T00:00:00Z'));
+  if (came === null || forecast == null) throw new Error('nothing came');
+  expect(came.models.map(({ name }) => name)).toEqual([
+    'one',
+    'measured by M1, 0.8 km away, at 0 m',
+  ]);
+  const at_ms = Date.parse(TIMES[0] ?? '');
+  const [, row] = cells(models_table(look, came, at_ms));
+  expect(row?.[1]).toContain('0.30 m/s');
+  expect(row?.[3]).toBe('measured');
+  const [, after] = cells(models_table(look, came, Date.parse(TIMES[1] ?? '')));
+  expect(after?.[1]).toBe('no value at this hour');
+  const lines = models_series(look, came)?.lines ?? [];
+  expect(lines.map(({ sign }) => sign)).toEqual([undefined, 'circle', 'cross']);
+  expect(model_words(look, came.models[1] as never)).toContain('rejected');
+});
+
+test('AMooringOfAnotherYearIsNotListedAsSilent', async () => {
+  const came = await measured_beside(during('2012-01-01T00:00:00Z', '2013-01-01T00:00:00Z'));
+  expect(came?.models.map(({ name }) => name)).toEqual(['one']);
 });
