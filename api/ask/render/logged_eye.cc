@@ -138,6 +138,50 @@ struct LoggedEye::Parts {
   }
 };
 
+namespace {
+
+/// A carriage that has the sensor at its pose: body axes along the picture's.
+twin::Carriage turned_with(const twin::Pose& pose, const twin::EyeSensor& sensor) {
+  const twin::Triple<double> down = cross(pose.axis, pose.right);
+  const twin::Rotation<double> turned{{pose.axis.x, pose.right.x, down.x},
+                                      {pose.axis.y, pose.right.y, down.y},
+                                      {pose.axis.z, pose.right.z, down.z}};
+  return {pose.position_m - turned.to_ned(sensor.position_m), turned, pose.velocity_m_s, {}};
+}
+
+/// The nearest place that somebody would turn a camera to, if one is near enough.
+std::optional<twin::Triple<double>> place_to_look_at(const LoggedEye::Parts& parts,
+                                                     const twin::Triple<double>& from_m) {
+  std::optional<twin::Triple<double>> place_m;
+  double nearest_m = parts.sensor.most_range_m;
+  const auto take = [&](const twin::Triple<double>& at_m) {
+    const double away_m = length_of(at_m - from_m);
+    if (!(away_m < nearest_m)) return;
+    nearest_m = away_m;
+    place_m = at_m;
+  };
+  for (const auto& inspection : parts.inspections)
+    for (const twin::Surface& surface : inspection->surfaces)
+      for (const twin::Patch& patch : surface.patches) take(patch.centre_m);
+  if (place_m) return place_m;
+  for (const twin::Structure& structure : parts.ready.environment->structures) {
+    // Down the slope of its distance, which is exact: to its surface.
+    const double away_m = twin::signed_distance_m(structure, from_m);
+    constexpr double step_m = 1e-4;
+    const auto slope = [&](const twin::Triple<double>& step) {
+      return (twin::signed_distance_m(structure, from_m + step) -
+              twin::signed_distance_m(structure, from_m - step)) /
+             (2 * step_m);
+    };
+    const twin::Triple<double> out{slope({step_m, 0, 0}), slope({0, step_m, 0}),
+                                   slope({0, 0, step_m})};
+    if (away_m > 0) take(from_m - away_m * out);
+  }
+  return place_m;
+}
+
+}  // namespace
+
 LoggedEye::LoggedEye(const EyeChoice& choice, const std::filesystem::path& store_folder)
     : parts_(std::make_unique<Parts>(choice, store_folder)) {}
 LoggedEye::~LoggedEye() = default;
@@ -181,6 +225,9 @@ EyeView LoggedEye::view_at(double t_s) const {
   view.t_s = t_s;
   view.time = parts.ready.start + std::chrono::milliseconds(std::llround(1000 * t_s));
   view.pose = twin::pose_of(parts.sensor, *carriage);
+  std::optional<twin::Triple<double>> aimed_at_m;
+  if (parts.sensor.is_aimed) aimed_at_m = place_to_look_at(parts, view.pose.position_m);
+  if (aimed_at_m) view.pose = twin::pose_of(parts.sensor, *carriage, *aimed_at_m);
   std::vector<twin::SeenVehicle> vehicles;
   for (std::size_t i = 0; i < parts.log.names.size(); ++i) {
     if (i == parts.vehicle || !parts.shapes[i]) continue;
@@ -223,8 +270,11 @@ EyeView LoggedEye::view_at(double t_s) const {
     seen.matrix = pinhole.matrix();
     twin::FrameHits hits;
     seen.truth = twin::truth_of(scene, pinhole, parts.sensor.most_range_m, threads, hits);
+    // Lamps stand on the hull, or turn with the camera that is turned.
+    twin::Carriage lit_from = *carriage;
+    if (aimed_at_m) lit_from = turned_with(view.pose, parts.sensor);
     for (const twin::MountedLamp& lamp : camera->lamps)
-      lighting.lamps.push_back(twin::lamp_of(lamp, *carriage));
+      lighting.lamps.push_back(twin::lamp_of(lamp, lit_from));
     lighting.shadows = twin::shadows_of(scene);
     seen.picture = twin::developed(twin::light_of(scene, lighting, pinhole, hits, threads),
                                    camera->sensor, seed, threads);

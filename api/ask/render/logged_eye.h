@@ -85,8 +85,9 @@ class LoggedEye {
   ///         sensor outside its medium
   [[nodiscard]] EyeView view_at(double t_s) const;
 
- private:
   struct Parts;
+
+ private:
   std::unique_ptr<Parts> parts_;
 };
 

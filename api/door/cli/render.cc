@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -26,7 +27,12 @@ struct RenderArguments {
 
 constexpr std::size_t most_frames = 100000;
 
+/// "12.5s", "5min", "1h30min".
 double seconds_of(const std::string& text) {
+  double seconds = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, problem] = std::from_chars(text.data(), end, seconds);
+  if (problem == std::errc() && end - rest == 1 && *rest == 's' && seconds >= 0) return seconds;
   return std::chrono::duration<double>(parse_duration(text)).count();
 }
 

@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Waters, PictureAndInspection,
                                            Case{{1.0, 0, 0.25, 0.015}, 2, 1.5},
                                            Case{{0.3, 0.3, 0.075, 0.0045}, 3, 1}));
 
-TEST(LampVeil, IsTheInspectionsIntegralForALampBesideTheLens) {
+TEST(LampVeilAnywhere, IsTheInspectionsIntegralForALampBesideTheLens) {
   const Lamp lamp{{0, 0.2, 0}, {1, 0, 0}, 2};
   const Ray ahead{{0, 0, 0}, {1, 0, 0}};
   for (const double c : {0.0, 0.3, 1.2})
@@ -151,7 +151,7 @@ void expect_veil(const Lamp& lamp, const Ray& ray, double tolerance) {
   EXPECT_NEAR(lamp_veil_along_per_m(lamp, ray, range_m, c), sum, tolerance * sum + 1e-6);
 }
 
-TEST(LampVeil, IsTheIntegralForALampAnywhere) {
+TEST(LampVeilAnywhere, IsTheIntegralForALampAnywhere) {
   const Ray ray{{0, 0, 0}, unit({1, 0.1, 0.05})};
   const Triple<double> beside{0.7, 0.5, -0.4};
   // Eight points, and the edge of a beam somewhere among them.

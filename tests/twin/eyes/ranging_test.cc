@@ -161,7 +161,7 @@ TEST(ImagingSonar, SpeckleIsExponential) {
   sheet.bins = 2;
   sheet.noise_floor = 0;
   double sum = 0, squares = 0, count = 0;
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const SonarImage image = pinged(cast.scene, cast.caster, sheet, ahead(), 0.1, far_m, seed, 2);
     for (std::size_t i = 0; i < image.mean.size(); ++i) {
       if (!(image.mean[i] > 0)) continue;
@@ -171,9 +171,9 @@ TEST(ImagingSonar, SpeckleIsExponential) {
       ++count;
     }
   }
-  EXPECT_GT(count, 5000);
+  EXPECT_GT(count, 2000);
   EXPECT_NEAR(sum / count, 1, 4 / std::sqrt(count));
-  EXPECT_NEAR(squares / count - sum / count * sum / count, 1, 0.15);
+  EXPECT_NEAR(squares / count - sum / count * sum / count, 1, 0.2);
 }
 
 TEST(ImagingSonar, IsTheSameOnAnyNumberOfThreadsAndInstructionSet) {

@@ -131,6 +131,42 @@ struct LookPastLamp {
   }
 };
 
+/// The normal of a face at a place, rounded off towards its neighbours'.
+class SmoothNormals {
+ public:
+  explicit SmoothNormals(const TriangleMesh& mesh) : mesh_(mesh), corners_(mesh.corners.size()) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Triple<double> area = mesh.area_vector_m2(t);
+      for (const std::uint32_t corner : mesh.triangles[t])
+        corners_[corner] = corners_[corner] + area;
+    }
+  }
+  /// Unit, outward. @param face  unit, of the triangle; kept at an edge of more than 37 degrees
+  [[nodiscard]] Triple<double> at(std::size_t triangle, const Triple<double>& at_m,
+                                  const Triple<double>& face) const noexcept {
+    const auto& [a, b, c] = mesh_.triangles[triangle];
+    const Triple<double> from = mesh_.corner_m(a);
+    const Triple<double> ab = mesh_.corner_m(b) - from, ac = mesh_.corner_m(c) - from;
+    const Triple<double> n = cross(ab, ac), at = at_m - from;
+    const double whole = dot(n, n);
+    const double weight_b = dot(n, cross(at, ac)) / whole;
+    const double weight_c = dot(n, cross(ab, at)) / whole;
+    const auto unit_at = [&](std::uint32_t corner) {
+      const double length = length_of(corners_[corner]);
+      const Triple<double> one = length > 0 ? (1 / length) * corners_[corner] : face;
+      return dot(one, face) > smooth_cosine ? one : face;
+    };
+    const Triple<double> mixed =
+        (1 - weight_b - weight_c) * unit_at(a) + weight_b * unit_at(b) + weight_c * unit_at(c);
+    return (1 / length_of(mixed)) * mixed;
+  }
+
+ private:
+  static constexpr double smooth_cosine = 0.8;
+  const TriangleMesh& mesh_;
+  std::vector<Triple<double>> corners_;
+};
+
 class Painter {
  public:
   Painter(const EyeScene& scene, const Lighting& lighting, const Pinhole& camera,
@@ -138,6 +174,7 @@ class Painter {
       : scene_(scene), lighting_(lighting), camera_(camera), hits_(hits), frame_(frame) {
     for (const Lamp& lamp : lighting.lamps) edges_.emplace_back(lamp);
     is_under_water_ = camera.position_m().z > scene.surface_m;
+    for (const SeenThing& thing : scene.things) normals_.emplace_back(thing.mesh);
     marks_.resize(scene.things.size());
     for (const DefectMark& mark : scene.marks) marks_[mark.thing].push_back(&mark);
   }
@@ -187,8 +224,10 @@ class Painter {
   [[nodiscard]] double day_veil(const Ray& ray, double range_m, std::size_t k) const noexcept {
     const ColouredClarity& clarity = medium();
     const double c = clarity.beam_attenuation_per_m[k];
+    if (!is_under_water_)
+      return sky({ray.direction.x, ray.direction.y, 0})[k] * (1 - fading(c * range_m));
     const double rate = c + clarity.diffuse_attenuation_per_m[k] * ray.direction.z;
-    return clarity.veil_brightness * day(ray.from_m, k) * c * faded_length_m(rate, range_m);
+    return day(ray.from_m, k) * c * faded_length_m(rate, range_m);
   }
 
   void add_lamp_veil(const Ray& ray, double range_m, Bands& light) const {
@@ -208,48 +247,55 @@ class Painter {
   [[nodiscard]] Bands of_place(const Ray& ray, std::size_t pixel, double range_m) const {
     const SeenThing& thing = scene_.things[hits_.mesh[pixel]];
     const Triple<double> at_m = ray.from_m + range_m * ray.direction;
-    Triple<double> n = thing.mesh.area_vector_m2(hits_.triangle[pixel]);
-    n = ((dot(n, ray.direction) > 0 ? -1 : 1) / length_of(n)) * n;
+    Triple<double> face = thing.mesh.area_vector_m2(hits_.triangle[pixel]);
+    face = (1 / length_of(face)) * face;
+    Triple<double> n = normals_[hits_.mesh[pixel]].at(hits_.triangle[pixel], at_m, face);
+    if (dot(face, ray.direction) > 0) n = -1.0 * n;
+    if (dot(face, ray.direction) > 0) face = -1.0 * face;
+    // Rounded off, a face that is seen could turn away at its outline.
+    if (!(dot(n, ray.direction) < 0)) n = face;
     if (thing.seen_class == SeenClass::water)
       return is_under_water_ ? surface_from_below(ray, at_m, n) : surface_from_above(ray, n);
     const DefectMark* mark = nullptr;
     for (const DefectMark* one : marks_[hits_.mesh[pixel]])
       if (one->holds(at_m)) mark = one;
     const Bands albedo = albedo_at(thing, mark, at_m, lighting_.seed);
-    const double facing = faces_day(at_m, n);
+    const double facing = faces_day(at_m, n, face);
     Bands light{};
     for (std::size_t k = 0; k < light.size(); ++k) light[k] = facing * day(at_m, k);
-    for (std::size_t l = 0; l < lighting_.lamps.size(); ++l) add_lamp(l, at_m, n, light);
+    for (std::size_t l = 0; l < lighting_.lamps.size(); ++l) add_lamp(l, at_m, n, face, light);
     for (std::size_t k = 0; k < light.size(); ++k) light[k] *= white * albedo[k];
     return light;
   }
 
-  [[nodiscard]] double faces_day(const Triple<double>& at_m, const Triple<double>& n) const {
+  [[nodiscard]] double faces_day(const Triple<double>& at_m, const Triple<double>& n,
+                                 const Triple<double>& face) const {
     if (is_under_water_) return 1 - from_above * n.z;
     const Sky& sky = lighting_.sky;
     double facing = (1 - sky.beam) * 0.5 * (1 - n.z);
     const double on_face = dot(n, sky.to_sun);
-    if (sky.beam > 0 && on_face > 0 &&
-        !lighting_.shadows.is_blocked(off_face(at_m, n, sky.to_sun), 1e4))
+    if (sky.beam > 0 && on_face > 0 && !is_in_shadow(at_m, face, sky.to_sun, 1e4))
       facing += sky.beam * on_face / std::max(0.05, -sky.to_sun.z);
     return facing;
   }
-  /// A ray that begins off the face it leaves.
-  [[nodiscard]] static Ray off_face(const Triple<double>& at_m, const Triple<double>& n,
-                                    const Triple<double>& direction) noexcept {
+  /// Whether something stands in the light. A face that is turned away a little, but lit where its
+  /// edge is rounded off, is in no shadow of its own.
+  [[nodiscard]] bool is_in_shadow(const Triple<double>& at_m, const Triple<double>& face,
+                                  const Triple<double>& to_light, double most_m) const {
     constexpr double off_m = 1e-3;
-    return {at_m + off_m * n, direction};
+    return dot(face, to_light) > 0 &&
+           lighting_.shadows.is_blocked({at_m + off_m * face, to_light}, most_m);
   }
 
   void add_lamp(std::size_t l, const Triple<double>& at_m, const Triple<double>& n,
-                Bands& light) const {
+                const Triple<double>& face, Bands& light) const {
     const Lamp& lamp = lighting_.lamps[l];
     const Triple<double> way = at_m - lamp.position_m;
     const double far_m = std::max(1e-3, length_of(way));
     const double on_face = -dot(way, n) / far_m;
     const double lit = edges_[l].lit(dot(way, lamp.axis) / far_m);
     if (!(on_face > 0 && lit > 0)) return;
-    if (lighting_.shadows.is_blocked(off_face(at_m, n, (-1 / far_m) * way), far_m - 2e-3)) return;
+    if (is_in_shadow(at_m, face, (-1 / far_m) * way, far_m - 2e-3)) return;
     const double share = lamp.range_m / far_m;
     const ColouredClarity& clarity = medium();
     for (std::size_t k = 0; k < light.size(); ++k)
@@ -310,6 +356,7 @@ class Painter {
   const FrameHits& hits_;
   LightFrame& frame_;
   std::vector<BeamEdge> edges_;
+  std::vector<SmoothNormals> normals_;
   std::vector<std::vector<const DefectMark*>> marks_;
   bool is_under_water_ = false;
 };

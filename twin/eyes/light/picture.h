@@ -22,8 +22,8 @@ struct LightFrame {
 ///     day     D = daylight exp(-K z),  in water m = 1 + 3/4 n_up  (1 for an upright face),
 ///             in air m = (1 - beam)(1 + n_up)/2 + beam max(0, n . sun)/sun_up unless shadowed
 ///     lamp    E = R^2 cos(from its axis)/d^2 cos(on the face) exp(-c d) unless shadowed
-///     veil    V = b D(z of the eye) c int_0^r exp(-(c + K z') s) ds,  z' the look's fall, b the
-///             medium's brightness
+///     veil    V = D(z of the eye) c int_0^r exp(-(c + K z') s) ds,  z' the look's fall; in air
+///             (1 - exp(-c r)) of the sky over the horizon there
 ///               + sum of R^2 b_b/(2 rho) int_0^r cos(from its axis)/d(s)^2 exp(-c (s + d)) ds
 ///
 /// the second integral by eight points over the logarithm of s + d, as `lamp_veil_per_m`, from
@@ -31,6 +31,9 @@ struct LightFrame {
 /// is its light (tests/twin/eyes/picture_test.cc). That in water 3/4 more of the light comes from
 /// above is an estimate; one beam of the sun in water, forward scatter and what scatters twice are
 /// left out, and the veil knows no shadows.
+///
+/// Faces are rounded off: n is the mean of the corners' normals by the place's weights, but across
+/// edges of more than 37 degrees.
 ///
 /// The sea from above mirrors the sky by Schlick's 0.02 + 0.98 (1 - cos)^5 and sends up R = 0.33
 /// b_b/a of the light (Gordon, Brown and Jacobs 1975, as Kirk 1994 has it; a = mu K - b_b, at
@@ -58,7 +61,7 @@ struct Sensor {
   /// than enough light the gain is raised, until the picture's mean is `mean_level`, by up to
   /// `most_gain`: of electrons as well as of noise. Where there is more, it is exposed for less.
   double full_light = 9;
-  double mean_level = 0.12;
+  double mean_level = 0.18;
   double most_gain = 16;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "twin/curve/named_file.h"
-#include "twin/inspection/instrument/seen_light.h"
 
 namespace slackwater::twin {
 
@@ -43,11 +42,7 @@ ColouredClarity coloured(const Clarity& clarity, const WaterType& type) noexcept
 
 ColouredClarity colourless(const Clarity& clarity) noexcept {
   const double c = clarity.beam_attenuation_per_m;
-  return {{c, c, c},
-          {0, 0, 0},
-          clarity.backscatter_per_m,
-          clarity.daylight,
-          3.0 / 7 / usual_reflectance};
+  return {{c, c, c}, {0, 0, 0}, clarity.backscatter_per_m, clarity.daylight};
 }
 
 }  // namespace slackwater::twin

@@ -39,10 +39,6 @@ struct ColouredClarity {
   Bands diffuse_attenuation_per_m{};  ///< K
   double backscatter_per_m = 0;       ///< b_b, the same for all: particles are larger than waves
   double daylight = 1;                ///< of what is needed, at the surface
-  /// How bright the medium itself is by day, seen without end, in the brightness of a place of the
-  /// usual reflectance: in water 1, as `seen_light` has it. Fog is as bright as the horizon of an
-  /// overcast sky, 3/7 of a white place (Moon and Spencer 1942).
-  double veil_brightness = 1;
 };
 
 /// The clarity that the inspection goes by, in colours: green has its c, K and b_b to the bit, so

@@ -35,6 +35,15 @@ Pose pose_of(const EyeSensor& sensor, const Carriage& carriage) noexcept {
   return pose;
 }
 
+Pose pose_of(const EyeSensor& sensor, const Carriage& carriage,
+             const Triple<double>& place_m) noexcept {
+  Instrument turned;
+  turned.footprint = FrameFootprint{};
+  turned.aim = Aim::surface;
+  turned.position_m = sensor.position_m;
+  return pose_of(turned, carriage, {place_m, {}});
+}
+
 Lamp lamp_of(const MountedLamp& lamp, const Carriage& carriage) noexcept {
   const Rotation<double>& r = carriage.attitude;
   return {carriage.position_m + r.to_ned(lamp.position_m), r.to_ned(lamp.axis), lamp.range_m,

@@ -39,6 +39,9 @@ struct EyeSensor {
   SensorMedium medium = SensorMedium::both;
   Triple<double> position_m;     ///< body axes
   Triple<double> axis{1, 0, 0};  ///< unit, body axes
+  /// Turned to what is inspected, or the nearest structure, and kept level: a gimbal, a pilot's
+  /// hand. Along its axis where neither is within its reach.
+  bool is_aimed = false;
   double least_range_m = 0;
   double most_range_m = 0;
   std::variant<CameraSheet, LidarSheet, ImagingSonarSheet> device;
@@ -57,6 +60,7 @@ struct EyeSensor {
 ///     medium: water                # or air, both: outside of it, it sees nothing
 ///     position_m: [0.2, 0, 0]      # body axes: forward, right, down
 ///     axis: [1, 0, 0]
+///     aim: surface                 # optional: turned to what is inspected
 ///     range_m: [0.05, 12]
 ///     frame: {horizontal_deg, vertical_deg (square pixels if absent), pixels_wide, pixels_high,
 ///             exposure_s}                                                        # of a camera
@@ -76,6 +80,9 @@ struct EyeSensor {
 /// Where it is and which way it looks on a vehicle: upright on the hull, of one that looks straight
 /// down with the bow up.
 [[nodiscard]] Pose pose_of(const EyeSensor& sensor, const Carriage& carriage) noexcept;
+/// The same of one that is turned to a place: as the inspection turns its instruments (pose.h).
+[[nodiscard]] Pose pose_of(const EyeSensor& sensor, const Carriage& carriage,
+                           const Triple<double>& place_m) noexcept;
 /// A lamp of the vehicle, where it is then.
 [[nodiscard]] Lamp lamp_of(const MountedLamp& lamp, const Carriage& carriage) noexcept;
 

@@ -127,6 +127,10 @@ EyeSensor read_eye_sensor(const Config& c) {
   sensor.medium = read_medium(c);
   if (c.has("position_m")) sensor.position_m = read_triple(c, "position_m", {-200, 200});
   sensor.axis = read_axis(c, {1, 0, 0});
+  if (const auto aim = c.optional_text("aim")) {
+    if (*aim != "surface") c.refuse("aim", "found " + *aim + ", expected surface, or no such key");
+    sensor.is_aimed = true;
+  }
   const auto range = c.numbers("range_m", {0, 1e5});
   if (range.size() != 2 || !(range[0] < range[1]))
     c.refuse("range_m", "expected two numbers, the lesser first: from where and how far it sees");
