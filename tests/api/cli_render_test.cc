@@ -79,7 +79,9 @@ TEST_F(RenderCommand, LeavesPicturesWithTheirTruth) {
     std::map<std::size_t, std::size_t> marked;
     for (std::size_t i = 0; i < depth.size(); ++i) {
       pile += kind[i] == 1 ? 1 : 0;
-      if (kind[i] == 1) EXPECT_GT(depth[i], 0);
+      if (kind[i] == 1) {
+        EXPECT_GT(depth[i], 0);
+      }
       if (defect[i] > 0) ++marked[static_cast<std::size_t>(defect[i])];
     }
     of_pile += pile;
@@ -122,7 +124,7 @@ TEST_F(RenderCommand, SaysWhatIsWrongInOneLine) {
   EXPECT_TRUE(
       contains(said({"--sensor", "rov_camera", "--at", "3s", "--water", "mud"}), "coastal_3"));
   // A disk that takes nothing: no half of a file is left.
-  (void)made_->write("full/rov_camera_000003.000.nc/in_the_way", "");
+  std::filesystem::create_directories(path("full/rov_camera_000003.000.nc/in_the_way"));
   const ProgramResult full = made_->run(
       {"render", path("run.nc"), "--sensor", "rov_camera", "--at", "3s", "--out", path("full")});
   EXPECT_EQ(full.exit_code, 5) << full.err;

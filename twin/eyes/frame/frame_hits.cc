@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "fields/base/parallel.h"
 #include "twin/inspection/cast/triangle_range.h"
@@ -106,6 +107,37 @@ PixelBox pixels_of_box(const Pinhole& camera, const TriangleFromStart& t, double
   return nearest_m > near_m ? bounds.pixels(spare_pixels) : whole(camera);
 }
 
+/// Whether the box about a triangle lies wholly beside the picture or behind it: told by one corner
+/// and the box's size, so that most of a scene costs little.
+class Beside {
+ public:
+  explicit Beside(const Pinhole& camera) noexcept
+      : camera_(camera),
+        wide_(0.5 * camera.wide() / camera.focal_u()),
+        high_(0.5 * camera.high() / camera.focal_v()) {}
+  [[nodiscard]] bool holds(const TriangleCorners& corners,
+                           const Triple<double>& from_m) const noexcept {
+    double size_m = 0, reach_m = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double low = std::min({corners[0][i], corners[1][i], corners[2][i]});
+      const double high = std::max({corners[0][i], corners[1][i], corners[2][i]});
+      size_m += high - low;
+      reach_m += std::max(std::abs(low), std::abs(high));
+    }
+    const Seen a = seen_by(
+        camera_, {corners[0][0] - from_m.x, corners[0][1] - from_m.y, corners[0][2] - from_m.z});
+    // No place of the box is farther from the corner than its sides together.
+    const double off_m =
+        size_m + 1e-9 * (reach_m + std::abs(from_m.x) + std::abs(from_m.y) + std::abs(from_m.z));
+    return a.z < -off_m || std::abs(a.x) - wide_ * a.z > (1 + wide_) * off_m ||
+           std::abs(a.y) - high_ * a.z > (1 + high_) * off_m;
+  }
+
+ private:
+  const Pinhole& camera_;
+  double wide_, high_;
+};
+
 /// The pixels that could meet a triangle.
 PixelBox pixels_of(const Pinhole& camera, const TriangleCorners& corners,
                    const Triple<double>& from_m) {
@@ -141,22 +173,19 @@ PixelBox pixels_of(const Pinhole& camera, const TriangleCorners& corners,
   return bounds.pixels(spare_pixels + moved / near_m);
 }
 
-/// All meshes' triangles, one after the other.
+/// Some of a mesh' triangles.
 struct Chunk {
   std::uint32_t mesh = 0;
   std::size_t first = 0, last = 0;  ///< its triangles; `last` is not one of them
-  std::size_t place = 0;            ///< of the first among all
 };
 
 std::vector<Chunk> chunks_of(std::span<const TriangleMesh* const> meshes) {
   constexpr std::size_t most = 8192;
   std::vector<Chunk> chunks;
-  std::size_t place = 0;
   for (std::uint32_t m = 0; m < meshes.size(); ++m)
     for (std::size_t first = 0; first < meshes[m]->triangles.size(); first += most) {
       const std::size_t last = std::min(first + most, meshes[m]->triangles.size());
-      chunks.push_back({m, first, last, place});
-      place += last - first;
+      chunks.push_back({m, first, last});
     }
   return chunks;
 }
@@ -164,6 +193,19 @@ std::vector<Chunk> chunks_of(std::span<const TriangleMesh* const> meshes) {
 TriangleCorners corners_of(const TriangleMesh& mesh, std::size_t triangle) noexcept {
   const auto& [a, b, c] = mesh.triangles[triangle];
   return {mesh.corners[a], mesh.corners[b], mesh.corners[c]};
+}
+
+/// A triangle that could be met, and where.
+struct Found {
+  PixelBox box;
+  std::uint32_t triangle = 0;
+};
+
+/// Whether a place is on the triangle's outer side.
+bool faces(const TriangleCorners& corners, const Triple<double>& from_m) noexcept {
+  TriangleFromStart t(corners, from_m);
+  t.lay_plane(corners);
+  return t.ahead() < 0;
 }
 
 /// The columns of a row that could lie within the edges: what the signs of the volumes leave, which
@@ -180,6 +222,7 @@ class RowSpans {
       along_axis_[i] = sign * dot(across[i], camera.axis());
       along_right_[i] = sign * dot(across[i], camera.right()) / camera.focal_u();
       along_down_[i] = sign * dot(across[i], camera.down()) / camera.focal_v();
+      per_slope_[i] = 1 / along_right_[i];
     }
     is_sound_ = 0x1p-46 * reach_m * reach_m * reach_m <= most_slack * std::abs(t.ahead());
   }
@@ -195,7 +238,7 @@ class RowSpans {
         if (at_middle + slack_ < 0) last = first - 1;
         continue;
       }
-      const double edge = middle - at_middle / slope;
+      const double edge = middle - at_middle * per_slope_[i];
       if (slope > 0) {
         const double from = std::ceil(edge - spare_pixels);
         if (from > first) first = from > last ? last + 1 : static_cast<int>(from);
@@ -208,7 +251,7 @@ class RowSpans {
 
  private:
   const Pinhole& camera_;
-  std::array<double, 3> along_axis_{}, along_right_{}, along_down_{};
+  std::array<double, 3> along_axis_{}, along_right_{}, along_down_{}, per_slope_{};
   double slack_ = 0;
   bool is_sound_ = false;
 };
@@ -227,42 +270,48 @@ class Band {
     for (int j = first_row; j < last_row; ++j)
       for (int i = 0; i < camera.wide(); ++i) directions_.push_back(camera.ray(i, j).direction);
   }
-  [[nodiscard]] bool touches(const PixelBox& box) const noexcept {
-    return box.first_v < last_row_ && box.last_v >= first_row_ && !box.is_empty();
-  }
   void meet(const PixelBox& box, std::uint32_t m, std::uint32_t triangle,
             const TriangleCorners& corners, const Triple<double>& from_m) {
     TriangleFromStart t(corners, from_m);
     t.lay_plane(corners);
+    // No range in it is less, but for rounding and what the box of `range_along` allows.
+    const double nearest_m =
+        off_box_m(t) - 1e-9 * (farthest_m(t.a()) + farthest_m(t.b()) + farthest_m(t.c()));
     const int from_v = std::max<int>(box.first_v, first_row_);
     const int to_v = std::min<int>(box.last_v, last_row_ - 1);
     constexpr int large = 64;
     const int area = (box.last_u - box.first_u + 1) * (to_v - from_v + 1);
     if (area < large) {
-      for (int j = from_v; j <= to_v; ++j) meet_row(j, box.first_u, box.last_u, m, triangle, t);
+      for (int j = from_v; j <= to_v; ++j)
+        meet_row(j, box.first_u, box.last_u, m, triangle, t, nearest_m);
       return;
     }
     const RowSpans spans(camera_, t);
     for (int j = from_v; j <= to_v; ++j) {
       int first = box.first_u, last = box.last_u;
       spans.narrow(j, first, last);
-      meet_row(j, first, last, m, triangle, t);
+      meet_row(j, first, last, m, triangle, t, nearest_m);
     }
   }
 
  private:
   void meet_row(int j, int first, int last, std::uint32_t m, std::uint32_t triangle,
-                const TriangleFromStart& t) {
+                const TriangleFromStart& t, double nearest_m) {
     const auto wide = static_cast<std::size_t>(camera_.wide());
     const std::size_t in_band = static_cast<std::size_t>(j - first_row_) * wide;
     const std::size_t in_frame = static_cast<std::size_t>(j) * wide;
     for (int i = first; i <= last; ++i) {
+      const std::size_t at = in_frame + static_cast<std::size_t>(i);
+      double& best_m = hits_.range_m[at];
+      if (nearest_m > best_m) continue;
       const Triple<double>& direction = directions_[in_band + static_cast<std::size_t>(i)];
       if (!t.is_within_edges(direction)) continue;
-      const std::size_t at = in_frame + static_cast<std::size_t>(i);
-      // Of two at one range the one that came first stays: the lesser (mesh, triangle).
-      const auto range_m = t.range_along(direction, std::min(most_range_m_, hits_.range_m[at]));
-      if (!range_m || !(*range_m < hits_.range_m[at])) continue;
+      const auto range_m = t.range_along(direction, std::min(most_range_m_, best_m));
+      if (!range_m) continue;
+      // Of two at one range the lesser (mesh, triangle) stays.
+      if (*range_m == best_m &&
+          std::tie(hits_.mesh[at], hits_.triangle[at]) < std::tie(m, triangle))
+        continue;
       hits_.range_m[at] = *range_m;
       hits_.mesh[at] = m;
       hits_.triangle[at] = triangle;
@@ -288,28 +337,40 @@ void find_first_hits(const Pinhole& camera, std::span<const TriangleMesh* const>
   hits.triangle.assign(pixels, FrameHits::nothing);
   const std::vector<Chunk> chunks = chunks_of(meshes);
   if (chunks.empty() || pixels == 0) return;
-  std::vector<PixelBox> boxes(chunks.back().place + chunks.back().last - chunks.back().first);
+  constexpr int rows_of_band = 48;
+  const int bands = (camera.high() + rows_of_band - 1) / rows_of_band;
+  // What a chunk has for each band: those that face the camera, and then the others, which are
+  // mostly hidden by them.
+  std::vector<std::vector<std::vector<Found>>> found(chunks.size());
+  const Beside beside(camera);
   for_all(chunks.size(), threads, [&](std::size_t c) {
     const Chunk& chunk = chunks[c];
     const TriangleMesh& mesh = *meshes[chunk.mesh];
     const Triple<double> from_m = camera.position_m() - mesh.origin_m;
-    for (std::size_t t = chunk.first; t < chunk.last; ++t)
-      boxes[chunk.place + t - chunk.first] = pixels_of(camera, corners_of(mesh, t), from_m);
+    for (std::size_t t = chunk.first; t < chunk.last; ++t) {
+      const TriangleCorners corners = corners_of(mesh, t);
+      if (beside.holds(corners, from_m)) continue;
+      const PixelBox box = pixels_of(camera, corners, from_m);
+      if (box.is_empty()) continue;
+      if (found[c].empty()) found[c].resize(2 * static_cast<std::size_t>(bands));
+      const auto side = static_cast<std::size_t>(faces(corners, from_m) ? 0 : bands);
+      for (int b = box.first_v / rows_of_band; b <= box.last_v / rows_of_band; ++b)
+        found[c][side + static_cast<std::size_t>(b)].push_back(
+            {box, static_cast<std::uint32_t>(t)});
+    }
   });
-  constexpr int rows_of_band = 48;
-  const int bands = (camera.high() + rows_of_band - 1) / rows_of_band;
   for_all(static_cast<std::size_t>(bands), threads, [&](std::size_t b) {
     const int first = static_cast<int>(b) * rows_of_band;
     Band band(camera, first, std::min(first + rows_of_band, camera.high()), most_range_m, hits);
-    for (const Chunk& chunk : chunks) {
-      const TriangleMesh& mesh = *meshes[chunk.mesh];
-      const Triple<double> from_m = camera.position_m() - mesh.origin_m;
-      for (std::size_t t = chunk.first; t < chunk.last; ++t) {
-        const PixelBox& box = boxes[chunk.place + t - chunk.first];
-        if (band.touches(box))
-          band.meet(box, chunk.mesh, static_cast<std::uint32_t>(t), corners_of(mesh, t), from_m);
+    for (const std::size_t side : {std::size_t{0}, static_cast<std::size_t>(bands)})
+      for (std::size_t c = 0; c < chunks.size(); ++c) {
+        if (found[c].empty()) continue;
+        const std::uint32_t m = chunks[c].mesh;
+        const TriangleMesh& mesh = *meshes[m];
+        const Triple<double> from_m = camera.position_m() - mesh.origin_m;
+        for (const Found& one : found[c][side + b])
+          band.meet(one.box, m, one.triangle, corners_of(mesh, one.triangle), from_m);
       }
-    }
   });
 }
 

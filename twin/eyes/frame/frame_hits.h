@@ -38,9 +38,9 @@ struct FrameHits {
 /// (the slack of its volumes, 2^-50 of the sizes, and their rounding, over n . d = n . a / r).
 /// Where e is over 2^-20 it is seen all but edge-on, and the rectangle is that about its box.
 ///
-/// Rows are shared out among the threads; a pixel is written by one, which looks at the triangles
-/// in their order: the bits are the same for any number of threads, and no instruction set is asked
-/// for. 1280 x 720 pixels and 400 000 triangles: see tests/bench/eyes_bench.cc.
+/// Rows are shared out among the threads; a pixel is written by one, and keeps the least (range,
+/// mesh, triangle) in whatever order triangles come, those that face the camera first: the bits are
+/// the same for any number of threads, and no instruction set is asked for. 1280 x 720 pixels and 400 000 triangles: see tests/bench/eyes_bench.cc.
 ///
 /// @param meshes        corners finite, as the caster's
 /// @param hits          written over

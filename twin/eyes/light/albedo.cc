@@ -32,12 +32,9 @@ constexpr std::array<Look, materials> looks{
     Look{{0.008, 0.008, 0.008}, {0.02, 0.02, 0.02}, 0.01}  // crack
 };
 
-double corner_value(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) noexcept {
-  const std::uint64_t bits =
-      split_mix_64(split_mix_64(split_mix_64(seed ^ static_cast<std::uint64_t>(x)) ^
-                                static_cast<std::uint64_t>(y)) ^
-                   static_cast<std::uint64_t>(z));
-  return static_cast<double>(bits >> 11U) * 0x1p-53;
+/// Of the corner of a cube, 0 to 1. @param column  mixed from its first two numbers
+double corner_value(std::uint64_t column, std::int64_t z) noexcept {
+  return static_cast<double>(split_mix_64(column ^ static_cast<std::uint64_t>(z)) >> 11U) * 0x1p-53;
 }
 
 double one_octave(const Triple<double>& p, std::uint64_t seed) noexcept {
@@ -46,11 +43,17 @@ double one_octave(const Triple<double>& p, std::uint64_t seed) noexcept {
   const double u = eased(p.x - fx), v = eased(p.y - fy), w = eased(p.z - fz);
   const auto x = static_cast<std::int64_t>(fx), y = static_cast<std::int64_t>(fy),
              z = static_cast<std::int64_t>(fz);
-  const auto along_x = [&](std::int64_t dy, std::int64_t dz) {
-    const double a = corner_value(x, y + dy, z + dz, seed);
-    return a + u * (corner_value(x + 1, y + dy, z + dz, seed) - a);
+  const auto mix = [](std::uint64_t with, std::int64_t number) {
+    return split_mix_64(with ^ static_cast<std::uint64_t>(number));
   };
-  const double a = along_x(0, 0), b = along_x(1, 0), c = along_x(0, 1), d = along_x(1, 1);
+  const std::uint64_t first = mix(seed, x), next = mix(seed, x + 1);
+  const std::array<std::uint64_t, 4> columns{mix(first, y), mix(next, y), mix(first, y + 1),
+                                             mix(next, y + 1)};
+  const auto along_x = [&](std::size_t row, std::int64_t at) {
+    const double from = corner_value(columns[row], at);
+    return from + u * (corner_value(columns[row + 1], at) - from);
+  };
+  const double a = along_x(0, z), b = along_x(2, z), c = along_x(0, z + 1), d = along_x(2, z + 1);
   const double near = a + v * (b - a), far = c + v * (d - c);
   return near + w * (far - near);
 }

@@ -15,14 +15,15 @@ namespace slackwater::twin {
   if (x < -700) x = -700;
   constexpr double per_ln2 = 1.4426950408889634, rounder = 0x1.8p52;
   constexpr double ln2_high = 0x1.62e42fee00000p-1, ln2_low = 0x1.a39ef35793c76p-33;
-  const double n = (-x * per_ln2 + rounder) - rounder;
+  const double rounded = -x * per_ln2 + rounder;  // n is in the low bits of it
+  const double n = rounded - rounder;
   const double r = (-x - n * ln2_high) - n * ln2_low;
   double sum = 1.0 / 479001600;
   constexpr double terms[] = {
       1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040, 1.0 / 720,
       1.0 / 120,      1.0 / 24,      1.0 / 6,      1.0 / 2,     1,          1};
   for (const double term : terms) sum = sum * r + term;
-  const auto exponent = static_cast<std::uint64_t>(static_cast<std::int64_t>(n) + 1023) << 52U;
+  const std::uint64_t exponent = (std::bit_cast<std::uint64_t>(rounded) + 1023) << 52U;
   return sum * std::bit_cast<double>(exponent);
 }
 
