@@ -1,0 +1,136 @@
+// `render`: what a camera saw on an inspection, as pictures and files with their truth; whole files
+// or none.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "ingest/netcdf/file.h"
+#include "tests/support/contains.h"
+#include "tests/support/farm_for_tests.h"
+
+namespace slackwater::tests::cli_render_test {
+namespace {
+
+using nlohmann::json;
+
+const std::string film = R"(id: film
+name: Film a pile
+)" + eye_yaml + R"(    conduct: {clear_m: 1}
+    inspection:
+      surfaces: [{kind: monopile, from: {depth_m: 4}, to: {depth_m: 14}}]
+      looks:
+        - {instrument: rov_camera, kinds: [monopile], detail_mm: 40, incidence_deg: 70,
+           seen_at: 0.3}
+      water: {visibility_m: 10}
+      defects: [{kind: corrosion, count: 30, size_m: [0.3, 0.6]}]
+      detection: [rgb_corrosion]
+    work:
+      - {pattern: rings, stand_off_m: 2, from: {depth_m: 9}, to: {depth_m: 9}, spacing_m: 1}
+)";
+const std::string mission =
+    "name: film\nseed: 3\nsite: farm.yaml\ntasks: [film.yaml]\nturbines: [T1]\nstart: "
+    "2025-03-10T11:00:00Z\nduration: 2min\nstep_s: 0.05\nwater: {made_up: {depth_m: 30, current: "
+    "[{depth_m: 0, east_m_s: 0.05, north_m_s: 0}]}}\nwaves: {from: calm}\n";
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class RenderCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    made_ = std::make_unique<StoreForTests>();
+    (void)made_->write("film.yaml", film);
+    (void)made_->write("farm.yaml", farm_yaml());
+    (void)made_->write("mission.yaml", mission);
+    ASSERT_EQ(made_->run({"rehearse", path("mission.yaml"), "--scenario", path("laid_out.yaml")})
+                  .exit_code,
+              0);
+    ASSERT_EQ(made_->run({"simulate", path("laid_out.yaml"), "--out", path("run.nc")}).exit_code,
+              0);
+  }
+  static void TearDownTestSuite() { made_.reset(); }
+  static std::string path(const std::string& name) { return made_->path(name); }
+
+  static inline std::unique_ptr<StoreForTests> made_;
+};
+
+TEST_F(RenderCommand, LeavesPicturesWithTheirTruth) {
+  const ProgramResult run =
+      made_->run({"render", path("run.nc"), "--sensor", "rov_camera", "--every", "30s", "--threads",
+                  "2", "--out", path("seen"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json frames = json::parse(run.out).at("frames");
+  ASSERT_GE(frames.size(), 3U);
+  std::size_t of_pile = 0;
+  for (const json& frame : frames) {
+    const std::filesystem::path png = path("seen/") + frame.at("png").get<std::string>();
+    EXPECT_EQ(bytes_of(png).substr(1, 3), "PNG");
+    const auto file =
+        ingest::netcdf::File::open(path("seen/") + frame.at("netcdf").get<std::string>());
+    const auto depth = file.read_all(*file.find("depth"));
+    const auto kind = file.read_all(*file.find("seen_class"));
+    const auto defect = file.read_all(*file.find("defect"));
+    ASSERT_EQ(depth.size(), 640U * 360);
+    std::size_t pile = 0;
+    std::map<std::size_t, std::size_t> marked;
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+      pile += kind[i] == 1 ? 1 : 0;
+      if (kind[i] == 1) {
+        EXPECT_GT(depth[i], 0);
+      }
+      if (defect[i] > 0) ++marked[static_cast<std::size_t>(defect[i])];
+    }
+    of_pile += pile;
+    EXPECT_EQ(frame.at("pixels").value("monopile", std::size_t{0}), pile);
+    EXPECT_EQ(frame.at("defects").size(), marked.size());
+    std::size_t named = 0;
+    for (const auto& attribute : file.attributes()) named += attribute.name == "camera_matrix";
+    EXPECT_EQ(named, 1U);
+  }
+  EXPECT_GT(of_pile, 100000U);
+}
+
+TEST_F(RenderCommand, TheSameMomentIsTheSameBytes) {
+  const auto seen = [](const std::string& folder, const std::string& threads) {
+    const ProgramResult run =
+        made_->run({"render", path("run.nc"), "--sensor", "imaging_sonar", "--at", "40s", "--out",
+                    path(folder), "--threads", threads});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const std::string name = path(folder) + "/imaging_sonar_000040.000";
+    return bytes_of(name + ".png") + bytes_of(name + ".nc");
+  };
+  const std::string one = seen("one", "1");
+  EXPECT_GT(one.size(), 1000U);
+  EXPECT_EQ(one, seen("two", "2"));
+}
+
+TEST_F(RenderCommand, SaysWhatIsWrongInOneLine) {
+  const auto said = [](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"render", path("run.nc"), "--out", path("none")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramResult run = made_->run(arguments);
+    EXPECT_NE(run.exit_code, 0);
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    return run.err;
+  };
+  EXPECT_TRUE(contains(said({"--sensor", "rov_camera"}), "say when"));
+  EXPECT_TRUE(
+      contains(said({"--sensor", "rov_camera", "--at", "3h"}), "expected a time of the run"));
+  EXPECT_TRUE(contains(said({"--sensor", "uav_camera", "--at", "3s"}), "--vehicle"));
+  EXPECT_TRUE(
+      contains(said({"--sensor", "rov_camera", "--at", "3s", "--water", "mud"}), "coastal_3"));
+  // A disk that takes nothing: no half of a file is left.
+  std::filesystem::create_directories(path("full/rov_camera_000003.000.nc/in_the_way"));
+  const ProgramResult full = made_->run(
+      {"render", path("run.nc"), "--sensor", "rov_camera", "--at", "3s", "--out", path("full")});
+  EXPECT_EQ(full.exit_code, 5) << full.err;
+  EXPECT_FALSE(std::filesystem::exists(path("full/rov_camera_000003.000.nc.partial")));
+  EXPECT_FALSE(std::filesystem::exists(path("full/rov_camera_000003.000.png")));
+}
+
+}  // namespace
+}  // namespace slackwater::tests::cli_render_test
