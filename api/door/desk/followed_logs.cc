@@ -22,7 +22,7 @@ using std::chrono::steady_clock;
 
 /// Read again before what is new: the rest of a message that was not whole, and the stamp before a
 /// sentence. More than `MessageAssembler::reach` sentences of fragments never lie between.
-constexpr std::uint64_t overlap_bytes = 16 * 1024;
+constexpr std::uint64_t overlap_bytes = 16'384;
 constexpr std::size_t beginning_bytes = 256;
 constexpr std::uint64_t some_lines_bytes = 4096;  // that a receiver may well spend on words
 /// A log that grows all the time costs this share of a core at most.
@@ -202,14 +202,14 @@ std::string FollowedLogs::read(Log& log, const std::filesystem::path& opened, co
            without(without(failure->why, "reading AIS of " + opened.string() + ": ", ""),
                    opened.string(), log.name) +
            ".";
-  const std::string flaw = flaw_of(log.name, reading);
+  std::string flaw = flaw_of(log.name, reading);
   if (!flaw.empty()) return flaw;
   if (reading.messages == 0 && is_whole) return "The log " + log.name + " holds no AIS.";
   if (reading.messages == 0 && part.to - part.from > some_lines_bytes)
     return "What was written last to " + log.name + " is no AIS: look at the receiver.";
   if (is_too_large)
     return formatted("Of the log {} only the last {} MB are read: rotate it daily.", log.name,
-                     following_.most_bytes / (1024 * 1024));
+                     following_.most_bytes >> 20U);
   return {};
 }
 

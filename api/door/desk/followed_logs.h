@@ -14,14 +14,14 @@
 namespace slackwater::api::desk {
 
 struct LogFollowing {
-  Duration every = std::chrono::seconds(1);     ///< from look to look
-  std::uint64_t most_bytes = 64 * 1024 * 1024;  ///< read at once: of more, what stands at the end
+  Duration every = std::chrono::seconds(1);  ///< from look to look
+  std::uint64_t most_bytes = 64U << 20U;     ///< read at once: of more, what stands at the end
   ingest::FilterProgram decoder = ingest::gpsdecode_program();
 };
 
-/// Logs of AIS that a receiver writes while they are read, on a thread of its own: looked at now and
-/// then, and what was added is read where a file's size or time has changed. One that was rotated,
-/// truncated or replaced is read from its beginning; what was heard before stays known.
+/// Logs of AIS that a receiver writes while they are read, on a thread of its own: looked at now
+/// and then, and what was added is read where a file's size or time has changed. One that was
+/// rotated, truncated or replaced is read from its beginning; what was heard before stays known.
 ///
 /// What is wrong with a file is a sentence, and never ends or holds up the server: one that is
 /// gone, is a pipe or a device (it is opened without waiting), holds no AIS, or breaks off in a

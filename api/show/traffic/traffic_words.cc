@@ -13,7 +13,7 @@ std::string span_text(double span_s) {
   if (seconds < 120) return std::to_string(seconds) + " s";
   const long minutes = std::lround(std::abs(span_s) / 60);
   if (minutes < 120) return std::to_string(minutes) + " min";
-  if (minutes >= 48 * 60) return std::to_string(minutes / 1440) + " days";
+  if (minutes >= 2880) return std::to_string(minutes / 1440) + " days";
   return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
 }
 std::string span_text(Duration span) {
