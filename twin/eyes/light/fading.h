@@ -1,9 +1,33 @@
 #pragma once
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 
 namespace slackwater::twin {
+
+/// exp(-x) for -700 <= x <= 700, without a branch: see `fading`.
+[[nodiscard]] inline double fading_within(double x) noexcept {
+  constexpr double per_ln2 = 1.4426950408889634, rounder = 0x1.8p52;
+  constexpr double ln2_high = 0x1.62e42fee00000p-1, ln2_low = 0x1.a39ef35793c76p-33;
+  const double rounded = -x * per_ln2 + rounder;  // n is in the low bits of it
+  const double n = rounded - rounder;
+  const double r = (-x - n * ln2_high) - n * ln2_low;
+  double sum = 1.0 / 479001600;
+  sum = sum * r + 1.0 / 39916800;
+  sum = sum * r + 1.0 / 3628800;
+  sum = sum * r + 1.0 / 362880;
+  sum = sum * r + 1.0 / 40320;
+  sum = sum * r + 1.0 / 5040;
+  sum = sum * r + 1.0 / 720;
+  sum = sum * r + 1.0 / 120;
+  sum = sum * r + 1.0 / 24;
+  sum = sum * r + 1.0 / 6;
+  sum = sum * r + 1.0 / 2;
+  sum = sum * r + 1;
+  sum = sum * r + 1;
+  return sum * std::bit_cast<double>((std::bit_cast<std::uint64_t>(rounded) + 1023) << 52U);
+}
 
 /// exp(-x), what is left of a beam after an optical way x: 0 beyond 700, and exp(700) at most of a
 /// negative one. Relative error below 1e-14. By additions, products and bits alone, so that its
@@ -12,19 +36,12 @@ namespace slackwater::twin {
 ///   exp(-x) = 2^n exp(r),  n the whole number next to -x/ln 2,  |r| <= ln 2 / 2
 [[nodiscard]] inline double fading(double x) noexcept {
   if (!(x < 700)) return 0;
-  if (x < -700) x = -700;
-  constexpr double per_ln2 = 1.4426950408889634, rounder = 0x1.8p52;
-  constexpr double ln2_high = 0x1.62e42fee00000p-1, ln2_low = 0x1.a39ef35793c76p-33;
-  const double rounded = -x * per_ln2 + rounder;  // n is in the low bits of it
-  const double n = rounded - rounder;
-  const double r = (-x - n * ln2_high) - n * ln2_low;
-  double sum = 1.0 / 479001600;
-  constexpr double terms[] = {
-      1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040, 1.0 / 720,
-      1.0 / 120,      1.0 / 24,      1.0 / 6,      1.0 / 2,     1,          1};
-  for (const double term : terms) sum = sum * r + term;
-  const std::uint64_t exponent = (std::bit_cast<std::uint64_t>(rounded) + 1023) << 52U;
-  return sum * std::bit_cast<double>(exponent);
+  return fading_within(x < -700 ? -700 : x);
+}
+/// The same of many, which compilers lay side by side; beyond 700 as at 700.
+template <std::size_t n>
+void fade(std::array<double, n>& x) noexcept {
+  for (double& one : x) one = fading_within(one < 700 ? one : 700.0);
 }
 
 /// ln x of x > 0, finite: the exponent, and 2 artanh((m - 1)/(m + 1)) of what is left of it between
@@ -38,9 +55,10 @@ namespace slackwater::twin {
     ++exponent;
   }
   const double z = (m - 1) / (m + 1), square = z * z;
+  constexpr double odd[] = {1.0 / 17, 1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9,
+                            1.0 / 7,  1.0 / 5,  1.0 / 3,  1.0};
   double sum = 1.0 / 19;
-  for (const double odd : {17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0})
-    sum = sum * square + 1 / odd;
+  for (const double term : odd) sum = sum * square + term;
   return 2 * z * sum + static_cast<double>(exponent) * 0.6931471805599453;
 }
 

@@ -91,11 +91,9 @@ struct LitSpan {
 
 /// The way of a look past a lamp, cut into the points of its integral.
 struct LookPastLamp {
-  struct Point {
-    double lit = 0;    ///< with the point's weight
-    double way_m = 0;  ///< out and back
-  };
-  std::array<Point, 8> points{};
+  std::array<double, 8> lit{};    ///< of each point, with its weight
+  std::array<double, 8> way_m{};  ///< out and back
+  bool is_dark = true;
 
   LookPastLamp(const Lamp& lamp, const BeamEdge& edge, const Ray& ray, double range_m) noexcept {
     const Triple<double> to_lamp = lamp.position_m - ray.from_m;
@@ -108,25 +106,32 @@ struct LookPastLamp {
       const double aside = std::sqrt(past * past + h2);
       return past >= 0 ? past + aside : h2 / (aside - past);
     };
-    const LitSpan lit(lamp, edge, ray, to_lamp, range_m);
-    if (!(lit.to_m > lit.from_m)) return;
-    const double first = logarithm(sum_at(lit.from_m));
-    const double half = 0.5 * (logarithm(sum_at(lit.to_m)) - first);
-    std::size_t i = 0;
-    for (const Node& node : nodes)
-      for (const double at : {-node.at, node.at}) {
-        const double p = fading(-(first + half * (1 + at)));
-        const double from_lamp_m = 0.5 * (p + h2 / p), past_m = 0.5 * (p - h2 / p);
-        const double s = nearest_m + past_m;
-        const Triple<double> way = s * ray.direction - to_lamp;
-        const double cosine = dot(way, lamp.axis) / from_lamp_m;
-        points[i++] = {half * node.weight * edge.lit(cosine) / from_lamp_m, s + from_lamp_m};
-      }
+    const LitSpan span(lamp, edge, ray, to_lamp, range_m);
+    if (!(span.to_m > span.from_m)) return;
+    is_dark = false;
+    const double along = dot(ray.direction, lamp.axis), before = dot(to_lamp, lamp.axis);
+    const double first = logarithm(sum_at(span.from_m));
+    const double half = 0.5 * (logarithm(sum_at(span.to_m)) - first);
+    std::array<double, 8> p;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      p[i] = -(first + half * (1 + (i % 2 == 0 ? -1 : 1) * nodes[i / 2].at));
+    fade(p);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double other = h2 / p[i];
+      const double from_lamp_m = 0.5 * (p[i] + other), per_m = 1 / from_lamp_m;
+      const double s = nearest_m + 0.5 * (p[i] - other);
+      const double cosine = (s * along - before) * per_m;
+      lit[i] = half * nodes[i / 2].weight * edge.lit(cosine) * per_m;
+      way_m[i] = s + from_lamp_m;
+    }
   }
   [[nodiscard]] double sum(double c) const noexcept {
+    if (is_dark) return 0;
+    std::array<double, 8> left;
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = c * way_m[i];
+    fade(left);
     double all = 0;
-    for (const Point& point : points)
-      if (point.lit > 0) all += point.lit * fading(c * point.way_m);
+    for (std::size_t i = 0; i < left.size(); ++i) all += lit[i] * left[i];
     return all;
   }
 };
