@@ -87,6 +87,10 @@ TEST_F(RenderCommand, LeavesPicturesWithTheirTruth) {
     of_pile += pile;
     EXPECT_EQ(frame.at("pixels").value("monopile", std::size_t{0}), pile);
     EXPECT_EQ(frame.at("defects").size(), marked.size());
+    const auto planted = file.read_all(*file.find("planted_pixels"));
+    EXPECT_EQ(planted.size(), 30U);
+    for (const auto& [number, pixels] : marked)
+      EXPECT_EQ(planted[number - 1], static_cast<double>(pixels));
     std::size_t named = 0;
     for (const auto& attribute : file.attributes()) named += attribute.name == "camera_matrix";
     EXPECT_EQ(named, 1U);

@@ -8,6 +8,7 @@
 #include "fields/base/text.h"
 #include "fields/base/whole_file.h"
 #include "ingest/netcdf/file.h"
+#include "twin/inspection/defect/defect_kind.h"
 
 namespace slackwater::api {
 namespace {
@@ -137,8 +138,7 @@ void say_pose(Writer& writer, const EyeView& view, const LoggedEye& eye) {
 }
 
 void say_names(Writer& writer, const EyeView& view, int instance) {
-  std::vector<std::string> names, meanings;
-  std::vector<double> values;
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < view.things.size(); ++i) {
     names.push_back(formatted("{} {} ({})", i + 1, view.things[i].name,
                               twin::name_of(view.things[i].seen_class)));
@@ -157,17 +157,63 @@ void say_classes(Writer& writer, int variable) {
   writer.attribute(variable, "flag_meanings", joined(meanings, " "));
 }
 
-void say_defects(Writer& writer, const EyeView& view, int variable) {
-  std::vector<std::string> defects;
-  for (std::size_t i = 0; i < view.defects.size(); ++i) {
-    const SeenDefect& one = view.defects[i];
-    defects.push_back(formatted(
-        "{} number={} kind={} surface={} size_m={:.6g} severity={:.6g} x={:.4f} y={:.4f} z={:.4f}",
-        i + 1, one.number, twin::name_of(one.kind), one.surface, one.size_m, one.severity,
-        one.centre_m.y, one.centre_m.x, -one.centre_m.z));
+/// The planted defects of the scene, one after the other: what the numbers of `defect` stand for.
+class DefectList {
+ public:
+  DefectList(Writer& writer, const EyeView& view) : writer_(writer) {
+    if (view.defects.empty()) return;
+    dimensions_ = {writer.dimension("planted", view.defects.size())};
+    const auto of = [&](auto value) {
+      std::vector<double> values;
+      for (const SeenDefect& one : view.defects) values.push_back(static_cast<double>(value(one)));
+      return values;
+    };
+    add("planted_number", "1", "of the defect in the run",
+        of([](const SeenDefect& d) { return d.number; }));
+    say_kinds(add("planted_kind", "1", "of the defect",
+                  of([](const SeenDefect& d) { return static_cast<int>(d.kind); })));
+    add("planted_on", "1", "instance on which it is", of([&](const SeenDefect& d) {
+          std::size_t i = 0;
+          while (i < view.things.size() && view.things[i].name != d.surface) ++i;
+          return i + 1;
+        }));
+    add("planted_size", "m", "longest side", of([](const SeenDefect& d) { return d.size_m; }));
+    add("planted_severity", "1", "m or share, by its kind",
+        of([](const SeenDefect& d) { return d.severity; }));
+    add("planted_x", "m", "east of the origin",
+        of([](const SeenDefect& d) { return d.centre_m.y; }));
+    add("planted_y", "m", "north of the origin",
+        of([](const SeenDefect& d) { return d.centre_m.x; }));
+    add("planted_z", "m", "up", of([](const SeenDefect& d) { return -d.centre_m.z; }));
+    add("planted_pixels", "1", "of this picture that show it",
+        of([](const SeenDefect& d) { return d.pixels; }));
   }
-  writer.attribute(variable, "defects", joined(defects, "; "));
-}
+  void write() {
+    for (const auto& [id, values] : pending_) writer_.write_all(id, values);
+  }
+
+ private:
+  int add(const char* name, const char* units, const char* words, std::vector<double> values) {
+    const int id = writer_.variable(name, Type::float64, dimensions_);
+    writer_.attribute(id, "units", units);
+    writer_.attribute(id, "long_name", words);
+    pending_.emplace_back(id, std::move(values));
+    return id;
+  }
+  void say_kinds(int id) {
+    std::vector<std::string> meanings;
+    std::vector<double> values;
+    for (const twin::DefectKind kind : twin::all_defect_kinds()) {
+      meanings.emplace_back(twin::name_of(kind));
+      values.push_back(static_cast<double>(kind));
+    }
+    writer_.attribute(id, "flag_values", values, Type::float64);
+    writer_.attribute(id, "flag_meanings", joined(meanings, " "));
+  }
+  Writer& writer_;
+  std::vector<int> dimensions_;
+  std::vector<std::pair<int, std::vector<double>>> pending_;
+};
 
 std::vector<float> part_of(const std::vector<std::array<float, 3>>& all, std::size_t i) {
   std::vector<float> part;
@@ -193,9 +239,10 @@ void write_seen(const CameraView& seen, const EyeView& view, Writer& writer) {
             picture.add("instance", Type::uint16, "1", "what is seen, 0: nothing", truth.instance));
   say_classes(writer,
               picture.add("seen_class", Type::uint8, "1", "what kind it is of", truth.seen_class));
-  say_defects(writer, view,
-              picture.add("defect", Type::uint16, "1", "planted defect that is seen, 0: none",
-                          truth.defect));
+  picture.add("defect", Type::uint16, "1",
+              "planted defect that is seen: 1 is the first of dimension planted, 0 none",
+              truth.defect);
+  DefectList defects(writer, view);
   picture.add("normal_right", Type::float32, "1", "of the surface, towards the camera",
               part_of(truth.normal, 0));
   picture.add("normal_down", Type::float32, "1", "of the surface, towards the camera",
@@ -204,6 +251,7 @@ void write_seen(const CameraView& seen, const EyeView& view, Writer& writer) {
               part_of(truth.normal, 2));
   writer.end_definitions();
   picture.write();
+  defects.write();
 }
 
 void write_seen(const twin::LidarScan& scan, const EyeView& view, Writer& writer) {

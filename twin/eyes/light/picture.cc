@@ -374,7 +374,7 @@ const std::vector<std::uint8_t>& transfer() {
     for (std::size_t i = 0; i <= steps; ++i) {
       const double x = static_cast<double>(i) / steps;
       const double y = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-      made[i] = static_cast<std::uint8_t>(255 * y + 0.5);
+      made[i] = static_cast<std::uint8_t>(std::lround(255 * y));
     }
     return made;
   }();
@@ -426,7 +426,7 @@ Picture developed(const LightFrame& light, const Sensor& sensor, std::uint64_t s
       const double sd = std::sqrt(electrons + sensor.read_noise_e * sensor.read_noise_e);
       const double noisy = electrons + sd * normal_at(noise_key(seed, at));
       const double value = std::clamp(amplified * noisy / sensor.full_well_e, 0.0, 1.0);
-      picture.rgb[at] = table[static_cast<std::size_t>(value * steps + 0.5)];
+      picture.rgb[at] = table[static_cast<std::size_t>(std::lround(value * steps))];
     }
   });
   return picture;
