@@ -26,7 +26,7 @@ inline constexpr std::size_t seen_classes = 13;
 [[nodiscard]] const char* name_of(SeenClass seen) noexcept;
 [[nodiscard]] SeenClass class_of(SurfaceKind kind) noexcept;
 
-/// What it is made of, which gives it its colours (light/albedo.h).
+/// What it is made of, which gives it its colours (twin/eyes/light/albedo.h).
 enum class Material : std::uint8_t {
   none,
   yellow_paint,
