@@ -139,7 +139,9 @@ struct LookPastLamp {
 /// The normal of a face at a place, rounded off towards its neighbours'.
 class SmoothNormals {
  public:
-  explicit SmoothNormals(const TriangleMesh& mesh) : mesh_(mesh), corners_(mesh.corners.size()) {
+  explicit SmoothNormals(const TriangleMesh& mesh) : mesh_(mesh) {
+    if (mesh.triangles.size() > smooth_as_they_are) return;
+    corners_.resize(mesh.corners.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const Triple<double> area = mesh.area_vector_m2(t);
       for (const std::uint32_t corner : mesh.triangles[t])
@@ -149,6 +151,7 @@ class SmoothNormals {
   /// Unit, outward. @param face  unit, of the triangle; kept at an edge of more than 37 degrees
   [[nodiscard]] Triple<double> at(std::size_t triangle, const Triple<double>& at_m,
                                   const Triple<double>& face) const noexcept {
+    if (corners_.empty()) return face;
     const auto& [a, b, c] = mesh_.triangles[triangle];
     const Triple<double> from = mesh_.corner_m(a);
     const Triple<double> ab = mesh_.corner_m(b) - from, ac = mesh_.corner_m(c) - from;
@@ -168,6 +171,7 @@ class SmoothNormals {
 
  private:
   static constexpr double smooth_cosine = 0.8;
+  static constexpr std::size_t smooth_as_they_are = 100000;
   const TriangleMesh& mesh_;
   std::vector<Triple<double>> corners_;
 };

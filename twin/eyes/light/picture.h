@@ -33,7 +33,7 @@ struct LightFrame {
 /// left out, and the veil knows no shadows.
 ///
 /// Faces are rounded off: n is the mean of the corners' normals by the place's weights, but across
-/// edges of more than 37 degrees.
+/// edges of more than 37 degrees; meshes of more than 100 000 triangles are taken as they are.
 ///
 /// The sea from above mirrors the sky by Schlick's 0.02 + 0.98 (1 - cos)^5 and sends up R = 0.33
 /// b_b/a of the light (Gordon, Brown and Jacobs 1975, as Kirk 1994 has it; a = mu K - b_b, at
