@@ -40,7 +40,8 @@ struct FrameHits {
 ///
 /// Rows are shared out among the threads; a pixel is written by one, and keeps the least (range,
 /// mesh, triangle) in whatever order triangles come, those that face the camera first: the bits are
-/// the same for any number of threads, and no instruction set is asked for. 1280 x 720 pixels and 400 000 triangles: see tests/bench/eyes_bench.cc.
+/// the same for any number of threads, and no instruction set is asked for. 1280 x 720 pixels and
+/// 400 000 triangles: see tests/bench/eyes_bench.cc.
 ///
 /// @param meshes        corners finite, as the caster's
 /// @param hits          written over
