@@ -11,64 +11,21 @@ import contextlib
 import io
 import json
 import pathlib
-import struct
 import subprocess
 import sys
-import zlib
 
 import numpy as np
 from pycocotools.coco import COCO
 from pycocotools.cocoeval import COCOeval
 
+from labelled_plates import write_labelled_plates
+
 PROGRAM, WORK = sys.argv[1], pathlib.Path(sys.argv[2])
 RNG = np.random.default_rng(20261128)
-WIDE, HIGH, PICTURES = 160, 120, 120
+PICTURES = 120
 
 
-def write_png(file, pixels):
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    rows = b"".join(b"\0" + row.tobytes() for row in pixels)
-    head = struct.pack(">IIBBBBB", pixels.shape[1], pixels.shape[0], 8, 2, 0, 0, 0)
-    file.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
-
-
-def plate():
-    """A plate, and the boxes of its patches."""
-    pixels = np.full((HIGH, WIDE, 3), 150, np.uint8)
-    boxes = []
-    for _ in range(RNG.integers(0, 5)):
-        wide, high = RNG.integers(8, 40, 2)
-        left, top = RNG.integers(0, WIDE - wide), RNG.integers(0, HIGH - high)
-        brown = np.array([150, 80, 30]) + RNG.integers(-20, 20, 3)
-        pixels[top : top + high, left : left + wide] = brown
-        boxes.append([int(left), int(top), int(wide), int(high)])
-    return pixels, boxes
-
-
-labels = {"categories": [{"id": 3, "name": "corrosion"}], "images": [], "annotations": []}
-for nth in range(PICTURES):
-    pixels, boxes = plate()
-    name = f"{nth}.png"
-    write_png(WORK / name, pixels)
-    labels["images"].append({"id": nth, "file_name": name, "width": WIDE, "height": HIGH})
-    for left, top, wide, high in boxes:
-        if RNG.random() < 0.25:
-            continue
-        shift = int(RNG.integers(0, max(2, wide // 2))) if RNG.random() < 0.5 else 0
-        wide = min(wide, WIDE - left - shift)
-        labels["annotations"].append(
-            {
-                "id": len(labels["annotations"]) + 1,
-                "image_id": nth,
-                "category_id": 3,
-                "bbox": [left + shift, top, wide, high],
-                "area": wide * high,
-                "iscrowd": int(RNG.random() < 0.1),
-            }
-        )
-(WORK / "labels.json").write_text(json.dumps(labels))
+write_labelled_plates(WORK, PICTURES, RNG, is_muddled=True)
 
 results = WORK / "results" / "finds.json"
 results.parent.mkdir()

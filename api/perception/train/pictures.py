@@ -7,7 +7,7 @@ import numpy as np
 import torch
 from PIL import Image
 
-# The input is (rgb / 255 - MEAN) / SD: about what the renders have, and no more than a scale.
+# The input is (rgb / 255 - MEAN) / SD: about what pictures under water have, and no more than a scale.
 MEAN, SD = (0.35, 0.40, 0.40), (0.20, 0.20, 0.20)
 
 

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Trains the detector of data/detectors on rendered pictures, and writes it as `slackwater detect --by FILE` reads it.
+"""Trains a detector on labelled pictures, and writes it as `slackwater detect --by FILE` reads it.
 
     train.py OUT.yaml --on FOLDER [FOLDER ...] [--kinds corrosion crack] [--seed 1] [--seconds 3000 | --steps 4000]
 
-FOLDER is a set as `slackwater render --dataset` writes it: pictures and their labels as COCO has them. Beside OUT.yaml come
+FOLDER holds pictures and their labels as COCO has them. Beside OUT.yaml come
 OUT.onnx (raw heads, opset 11) and OUT.md, the model card. Wants Debian's python3-torch and python3-pil; no GPU. The same seed,
 steps, threads and pictures give the same weights; with --seconds the steps depend on the machine, and the card says how many.
 """
@@ -114,7 +114,7 @@ def write(network, steps, pictures, arguments):
     arguments.out.write_text(
         f"""# Written by api/perception/train/train.py; see {arguments.out.with_suffix('.md').name} beside it.
 name: {arguments.out.stem}
-source: trained by api/perception/train on pictures rendered by slackwater alone; weights ours
+source: trained by api/perception/train on {len(pictures)} labelled pictures, from nothing
 by: network
 file: {onnx.name}
 sha256: {digest}
@@ -135,14 +135,14 @@ test:
     arguments.out.with_suffix(".md").write_text(
         f"""# {arguments.out.stem}
 
-A detector of {' and '.join(arguments.kinds)} in pictures of steel, {parameters(network):,} parameters, {onnx.stat().st_size:,} bytes.
+A detector of {' and '.join(arguments.kinds)} in pictures, {parameters(network):,} parameters, {onnx.stat().st_size:,} bytes.
 
 | | |
 |---|---|
 | made by | `api/perception/train/train.py`, seed {arguments.seed}, {steps:,} steps of {BATCH} crops of {SIDE} pixels |
-| learned from | {len(pictures):,} rendered pictures, {empty:,} without a label; {', '.join(f'{many:,} of {kind}' for kind, many in zip(arguments.kinds, labelled))} |
-| never saw | a real photograph: what it finds in one says nothing until `slackwater detect --score FOLDER` was run on yours |
-| licence | as the program's; no weights of others |
+| learned from | {len(pictures):,} labelled pictures, {empty:,} without a label; {', '.join(f'{many:,} of {kind}' for kind, many in zip(arguments.kinds, labelled))} |
+| says nothing | of pictures of another kind until `slackwater detect --score FOLDER` was run on them |
+| licence | that of the pictures it learned from; no weights of others |
 """
     )
 
