@@ -1,8 +1,7 @@
 #pragma once
-#include <array>
 #include <bit>
-#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace slackwater::twin {
 
@@ -38,11 +37,8 @@ namespace slackwater::twin {
   if (!(x < 700)) return 0;
   return fading_within(x < -700 ? -700 : x);
 }
-/// The same of many, which compilers lay side by side; beyond 700 as at 700.
-template <std::size_t n>
-void fade(std::array<double, n>& x) noexcept {
-  for (double& one : x) one = fading_within(one < 700 ? one : 700.0);
-}
+/// The same of many, side by side, all of them from -700 to 700.
+void fade(std::span<double> x) noexcept;
 
 /// ln x of x > 0, finite: the exponent, and 2 artanh((m - 1)/(m + 1)) of what is left of it between
 /// 0.7 and 1.4. Error below 1e-14. The same bits everywhere, too.

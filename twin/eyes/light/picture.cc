@@ -125,13 +125,21 @@ struct LookPastLamp {
       way_m[i] = s + from_lamp_m;
     }
   }
-  [[nodiscard]] double sum(double c) const noexcept {
-    if (is_dark) return 0;
-    std::array<double, 8> left;
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] = c * way_m[i];
-    fade(left);
-    double all = 0;
-    for (std::size_t i = 0; i < left.size(); ++i) all += lit[i] * left[i];
+  /// Of each colour by its beam attenuation.
+  [[nodiscard]] Bands sums(const Bands& c) const noexcept {
+    Bands all{};
+    if (is_dark) return all;
+    std::array<double, 24> left;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      for (std::size_t i = 0; i < lit.size(); ++i) left[8 * k + i] = c[k] * way_m[i];
+    // A look without end goes farther than exp(-700).
+    constexpr double most = 700;
+    if (*std::max_element(left.begin(), left.end()) < most)
+      fade(left);
+    else
+      for (double& one : left) one = fading(one);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      for (std::size_t i = 0; i < lit.size(); ++i) all[k] += lit[i] * left[8 * k + i];
     return all;
   }
 };
@@ -247,8 +255,8 @@ class Painter {
       const LookPastLamp look(lamp, edges_[l], ray, range_m);
       const double share =
           lamp.range_m * lamp.range_m * clarity.backscatter_per_m / (2 * usual_reflectance);
-      for (std::size_t k = 0; k < light.size(); ++k)
-        light[k] += share * look.sum(clarity.beam_attenuation_per_m[k]);
+      const Bands sums = look.sums(clarity.beam_attenuation_per_m);
+      for (std::size_t k = 0; k < light.size(); ++k) light[k] += share * sums[k];
     }
   }
 
@@ -396,7 +404,8 @@ double mean_of(const LightFrame& frame, double most) {
 
 double lamp_veil_along_per_m(const Lamp& lamp, const Ray& ray, double range_m,
                              double beam_attenuation_per_m) noexcept {
-  return LookPastLamp(lamp, BeamEdge(lamp), ray, range_m).sum(beam_attenuation_per_m);
+  return LookPastLamp(lamp, BeamEdge(lamp), ray, range_m)
+      .sums({beam_attenuation_per_m, beam_attenuation_per_m, beam_attenuation_per_m})[green];
 }
 
 LightFrame light_of(const EyeScene& scene, const Lighting& lighting, const Pinhole& camera,
