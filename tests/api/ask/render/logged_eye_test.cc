@@ -1,6 +1,7 @@
 #include "api/ask/render/logged_eye.h"
 
 #include <cmath>
+#include <functional>
 
 #include "api/program/paths.h"
 #include "fields/base/constants.h"
