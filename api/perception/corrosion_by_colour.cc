@@ -50,7 +50,7 @@ class ColourDetector : public Detector {
       found.push_back(
           {colours_.of, area / piece.box.area() * std::clamp(vivid, 0.0, 1.0), piece.box});
     }
-    return without_doubles(std::move(found), 1, found.size());
+    return surest_first(std::move(found));
   }
 
  private:

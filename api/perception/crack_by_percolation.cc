@@ -125,7 +125,7 @@ class PercolationDetector : public Detector {
                            std::min(1.0, length_px / form_.full_length_px),
                        piece.box});
     }
-    return without_doubles(std::move(found), 1, found.size());
+    return surest_first(std::move(found));
   }
 
  private:

@@ -22,13 +22,17 @@ double overlap(const PixelBox& a, const PixelBox& b) noexcept {
   return shared > 0 ? shared / (a.area() + b.area() - shared) : 0;
 }
 
-std::vector<Detection> without_doubles(std::vector<Detection> found, double most_overlap,
-                                       std::size_t most) {
+std::vector<Detection> surest_first(std::vector<Detection> found) {
   std::stable_sort(found.begin(), found.end(), [](const Detection& a, const Detection& b) {
     return a.confidence > b.confidence;
   });
+  return found;
+}
+
+std::vector<Detection> without_doubles(std::vector<Detection> found, double most_overlap,
+                                       std::size_t most) {
   std::vector<Detection> kept;
-  for (Detection& one : found) {
+  for (Detection& one : surest_first(std::move(found))) {
     if (kept.size() == most) break;
     const bool is_double = std::any_of(kept.begin(), kept.end(), [&](const Detection& before) {
       return before.of == one.of && overlap(before.box, one.box) > most_overlap;

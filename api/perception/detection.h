@@ -26,6 +26,9 @@ struct Detection {
   PixelBox box;
 };
 
+/// Equal ones in their order.
+[[nodiscard]] std::vector<Detection> surest_first(std::vector<Detection> found);
+
 /// The surest of those of one kind that overlap by more than `most_overlap`, and at most `most` of
 /// all: surest first, equal ones in their order.
 [[nodiscard]] std::vector<Detection> without_doubles(std::vector<Detection> found,

@@ -23,7 +23,7 @@ class Detector {
   [[nodiscard]] virtual std::vector<Detection> find(const Picture& picture) = 0;
 };
 
-/// One of data/detectors by its name, else a file of that form (detector_file.h).
+/// One of data/detectors by its name, else a file of that form (network.h and those beside it).
 /// @throws Error(not_found) that names those there are; Error(invalid_input) as `read_detector`
 [[nodiscard]] std::unique_ptr<Detector> load_detector(const std::string& name_or_file);
 

@@ -3,9 +3,9 @@
 
     train.py OUT.yaml --on FOLDER [FOLDER ...] [--kinds corrosion crack] [--seed 1] [--seconds 3000 | --steps 4000]
 
-FOLDER holds pictures and their labels as COCO has them. Beside OUT.yaml come
-OUT.onnx (raw heads, opset 11) and OUT.md, the model card. Wants Debian's python3-torch and python3-pil; no GPU. The same seed,
-steps, threads and pictures give the same weights; with --seconds the steps depend on the machine, and the card says how many.
+FOLDER holds pictures and their labels as COCO has them. Beside OUT.yaml come OUT.onnx (raw heads, opset 11) and a model card of
+the same name. Wants Debian's python3-torch and python3-pil; no GPU. The same seed, steps, threads and pictures give the same
+weights; with --seconds the steps depend on the machine, and the card says how many.
 """
 
 import argparse
