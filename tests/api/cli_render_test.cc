@@ -2,6 +2,7 @@
 // or none.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -96,6 +97,61 @@ TEST_F(RenderCommand, LeavesPicturesWithTheirTruth) {
     EXPECT_EQ(named, 1U);
   }
   EXPECT_GT(of_pile, 100000U);
+}
+
+/// Run lengths down the columns, zeros first, as a mask row by row.
+std::vector<bool> mask_of(const json& segmentation) {
+  const auto high = segmentation.at("size")[0].get<std::size_t>();
+  const auto wide = segmentation.at("size")[1].get<std::size_t>();
+  std::vector<bool> mask(high * wide);
+  std::size_t place = 0;
+  bool is_in = false;
+  for (const std::size_t run : segmentation.at("counts")) {
+    for (std::size_t i = 0; i < run; ++i, ++place)
+      mask.at(place % high * wide + place / high) = is_in;
+    is_in = !is_in;
+  }
+  EXPECT_EQ(place, mask.size());
+  return mask;
+}
+
+TEST_F(RenderCommand, LabelsWhatWasPlantedAsDetectReadsIt) {
+  const ProgramResult run = made_->run({"render", path("run.nc"), "--sensor", "rov_camera",
+                                        "--every", "40s", "--out", path("labelled")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json labels = json::parse(bytes_of(path("labelled/labels.json")));
+  std::size_t labelled = 0;
+  for (const json& label : labels.at("annotations")) {
+    const json& image = labels.at("images").at(label.at("image_id").get<std::size_t>() - 1);
+    const std::string png = image.at("file_name");
+    const auto file =
+        ingest::netcdf::File::open(path("labelled/") + png.substr(0, png.size() - 4) + ".nc");
+    const auto defect = file.read_all(*file.find("defect"));
+    const auto planted = file.read_all(*file.find("planted_number"));
+    const std::vector<bool> mask = mask_of(label.at("segmentation"));
+    const auto wide = image.at("width").get<std::size_t>();
+    std::size_t left = wide, top = defect.size(), right = 0, bottom = 0, pixels = 0;
+    for (std::size_t i = 0; i < defect.size(); ++i) {
+      const bool is_of_it = defect[i] > 0 && planted.at(static_cast<std::size_t>(defect[i]) - 1) ==
+                                                 label.at("planted_number").get<double>();
+      ASSERT_EQ(mask[i], is_of_it) << i;
+      if (!is_of_it) continue;
+      ++pixels;
+      left = std::min(left, i % wide);
+      right = std::max(right, i % wide + 1);
+      top = std::min(top, i / wide);
+      bottom = std::max(bottom, i / wide + 1);
+    }
+    EXPECT_EQ(label.at("bbox"), json({left, top, right - left, bottom - top}));
+    EXPECT_EQ(label.at("area"), pixels);
+    EXPECT_EQ(label.at("iscrowd"), pixels < 25 ? 1 : 0);
+    labelled += pixels;
+  }
+  EXPECT_GT(labelled, 100U) << "nothing planted is in view";
+  const ProgramResult score =
+      made_->run({"detect", "--score", path("labelled"), "--by", "corrosion_by_colour", "--json"});
+  ASSERT_EQ(score.exit_code, 0) << score.err;
+  EXPECT_EQ(json::parse(score.out).at("pictures"), labels.at("images").size());
 }
 
 TEST_F(RenderCommand, TheSameMomentIsTheSameBytes) {

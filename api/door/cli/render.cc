@@ -9,8 +9,10 @@
 #include "api/ask/render/logged_eye.h"
 #include "api/door/cli/command.h"
 #include "api/door/cli/progress.h"
+#include "api/show/eyes/picture_labels.h"
 #include "api/show/eyes/view_file.h"
 #include "fields/base/text.h"
+#include "fields/base/whole_file.h"
 
 namespace slackwater::api {
 namespace {
@@ -113,16 +115,20 @@ void run_render(const RenderArguments& arguments, const Context& context) {
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   ProgressBar progress("render " + choice.log.filename().string(), context.json);
   json frames = json::array();
+  PictureLabels labels;
   std::size_t with_defects = 0;
   for (std::size_t i = 0; i < times_s.size(); ++i) {
     const EyeView view = eye.view_at(times_s[i]);
     const std::string name = name_at(choice.sensor, view.t_s);
     write_view_netcdf(view, eye, folder / (name + ".nc"));
     write_view_png(view, folder / (name + ".png"));
+    labels.add(view, name + ".png");
     with_defects += defects_in(view) > 0 ? 1 : 0;
     if (context.json) frames.push_back(json_of(view, name));
     progress.update(static_cast<double>(i + 1) / static_cast<double>(times_s.size()));
   }
+  if (!labels.coco().at("images").empty())
+    write_text(folder / "labels.json", labels.coco().dump() + "\n");
   if (context.json) {
     const json out = {{"log", choice.log.string()}, {"sensor", choice.sensor},
                       {"vehicle", eye.vehicle()},   {"folder", folder.string()},
