@@ -40,6 +40,7 @@ slackwater_library(crypto LINK OpenSSL::Crypto)
 slackwater_library(beast LINK Boost::headers Threads::Threads)
 slackwater_library(zlib LINK ZLIB::ZLIB)
 slackwater_library(png PKG libpng)
+slackwater_library(jpeg PKG libturbojpeg)
 slackwater_library(zstd PKG libzstd)
 slackwater_library(lz4 PKG liblz4)
 slackwater_library(date LINK date::date-tz)
@@ -71,11 +72,12 @@ target_include_directories(slackwater_lib_cbc SYSTEM INTERFACE ${CBC_INCLUDE}/co
 target_link_libraries(slackwater_lib_cbc INTERFACE ${CBC_SOLVER_LIBRARY} ${CBC_LIBRARY})
 set_property(GLOBAL APPEND PROPERTY SLACKWATER_LIBRARIES slackwater_lib_cbc)
 
-# Four of OpenCV's libraries; its CMake file asks for the headers of all.
+# Three of OpenCV's libraries; its CMake file asks for the headers of all. Not the one that reads
+# pictures: it brings GDAL and seventy more libraries, which any command would load as it starts.
 find_path(OPENCV_INCLUDE opencv2/dnn.hpp PATH_SUFFIXES opencv4 REQUIRED)
 add_library(slackwater_lib_opencv INTERFACE)
 target_include_directories(slackwater_lib_opencv SYSTEM INTERFACE ${OPENCV_INCLUDE})
-foreach(part core imgproc imgcodecs dnn)
+foreach(part core imgproc dnn)
   find_library(OPENCV_${part}_LIBRARY opencv_${part} REQUIRED)
   target_link_libraries(slackwater_lib_opencv INTERFACE ${OPENCV_${part}_LIBRARY})
 endforeach()

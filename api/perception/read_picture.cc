@@ -1,6 +1,9 @@
+#include <png.h>
+#include <turbojpeg.h>
+
 #include <fstream>
 #include <iterator>
-#include <opencv2/imgcodecs.hpp>
+#include <memory>
 
 #include "api/perception/picture.h"
 #include "api/perception/picture_size.h"
@@ -27,6 +30,34 @@ std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {
   return bytes;
 }
 
+/// Whether a PNG was read whole, of the size that it states.
+bool read_png(const std::vector<std::uint8_t>& bytes, Picture& picture) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) return false;
+  image.format = PNG_FORMAT_RGBA;
+  std::vector<std::uint8_t> rgba(PNG_IMAGE_SIZE(image));
+  // It frees the image, whether it succeeds or not.
+  if (png_image_finish_read(&image, nullptr, rgba.data(), 0, nullptr) == 0) return false;
+  if (rgba.size() / 4 * 3 != picture.rgb.size()) return false;
+  for (std::size_t from = 0, to = 0; from < rgba.size(); from += 4)
+    for (std::size_t c = 0; c < 3; ++c) picture.rgb[to++] = rgba[from + c];
+  return true;
+}
+
+/// The same of a JPEG; what it is only warned of (a file that is cut) is a damage, too.
+bool read_jpeg(const std::vector<std::uint8_t>& bytes, Picture& picture) {
+  const std::unique_ptr<void, int (*)(void*)> decoder(tjInitDecompress(), tjDestroy);
+  int wide = 0, high = 0, subsampling = 0, space = 0;
+  const auto size = static_cast<unsigned long>(bytes.size());  // NOLINT: as its interface has it
+  return decoder != nullptr &&
+         tjDecompressHeader3(decoder.get(), bytes.data(), size, &wide, &high, &subsampling,
+                             &space) == 0 &&
+         wide == picture.wide && high == picture.high &&
+         tjDecompress2(decoder.get(), bytes.data(), size, picture.rgb.data(), wide, 0, high,
+                       TJPF_RGB, TJFLAG_ACCURATEDCT) == 0;
+}
+
 }  // namespace
 
 Picture read_picture(const std::filesystem::path& file) {
@@ -37,24 +68,11 @@ Picture read_picture(const std::filesystem::path& file) {
   if (size->wide == 0 || size->high == 0 || std::uint64_t{size->wide} * size->high > most_pixels)
     refuse(formatted("found a picture of {} x {} pixels in {}, expected 1 to {} pixels", size->wide,
                      size->high, file.string(), most_pixels));
-  cv::Mat decoded;
-  try {
-    decoded = cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception&) {
-    decoded.release();
-  }
-  if (decoded.empty() || decoded.type() != CV_8UC3 || !decoded.isContinuous() ||
-      static_cast<std::uint32_t>(decoded.cols) != size->wide ||
-      static_cast<std::uint32_t>(decoded.rows) != size->high)
+  Picture picture{static_cast<int>(size->wide), static_cast<int>(size->high), {}};
+  picture.rgb.resize(std::size_t{3} * size->wide * size->high);
+  const bool is_png = bytes.front() == 0x89;
+  if (!(is_png ? read_png(bytes, picture) : read_jpeg(bytes, picture)))
     refuse("found a damaged picture in " + file.string() + ": copy it again from where it came");
-  Picture picture{decoded.cols, decoded.rows, {}};
-  picture.rgb.resize(3 * decoded.total());
-  const std::uint8_t* bgr = decoded.data;
-  for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
-    picture.rgb[i] = bgr[i + 2];
-    picture.rgb[i + 1] = bgr[i + 1];
-    picture.rgb[i + 2] = bgr[i];
-  }
   return picture;
 }
 

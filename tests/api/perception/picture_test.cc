@@ -38,6 +38,23 @@ TEST(ReadPicture, HasTheBytesThatWereWritten) {
   EXPECT_EQ(read.at(2, 1)[1], static_cast<std::uint8_t>(37 * (3 * (7 + 2) + 1)));
 }
 
+TEST(ReadPicture, ReadsAJpegAndSaysWhereItIsCut) {
+  const TemporaryFolder folder;
+  api::Picture picture = plate(64, 40);
+  paint(picture, 0, 0, 32, 40, rust);
+  write_jpeg(folder / "a.jpg", picture);
+  const api::Picture read = read_picture(folder / "a.jpg");
+  ASSERT_EQ(read.wide, 64);
+  ASSERT_EQ(read.high, 40);
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(read.at(8, 20)[c], rust[c], 2);
+    EXPECT_NEAR(read.at(60, 20)[c], steel[c], 2);
+  }
+  const std::string whole = read_bytes(folder / "a.jpg");
+  write_bytes(folder / "cut.jpg", whole.substr(0, whole.size() / 2));
+  EXPECT_TRUE(contains(refusal(folder / "cut.jpg"), "damaged picture"));
+}
+
 TEST(ReadPicture, RefusesWhatIsDamagedCutOrNoPicture) {
   const TemporaryFolder folder;
   write_png(folder / "a.png", plate(40, 30, rust));
@@ -46,6 +63,8 @@ TEST(ReadPicture, RefusesWhatIsDamagedCutOrNoPicture) {
     write_bytes(folder / "cut.png", whole.substr(0, length));
     EXPECT_TRUE(contains(refusal(folder / "cut.png"), "neither PNG nor JPEG")) << length;
   }
+  write_bytes(folder / "half.png", whole.substr(0, whole.size() - 20));
+  EXPECT_TRUE(contains(refusal(folder / "half.png"), "damaged picture"));
   std::string damaged = whole;
   damaged[16] = '\x7f';  // two thousand million pixels wide, says its head
   write_bytes(folder / "wide.png", damaged);

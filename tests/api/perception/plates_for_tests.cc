@@ -1,5 +1,6 @@
 #include "tests/api/perception/plates_for_tests.h"
 
+#include <turbojpeg.h>
 #include <zlib.h>
 
 #include <fstream>
@@ -59,6 +60,18 @@ void write_png(const std::filesystem::path& file, const api::Picture& picture) {
   std::ofstream(file, std::ios::binary)
       << "\x89PNG\r\n\x1a\n"
       << chunk("IHDR", head) << chunk("IDAT", packed) << chunk("IEND", "");
+}
+
+void write_jpeg(const std::filesystem::path& file, const api::Picture& picture) {
+  const tjhandle encoder = tjInitCompress();
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;  // NOLINT: as the library's interface has it
+  tjCompress2(encoder, picture.rgb.data(), picture.wide, 0, picture.high, TJPF_RGB, &bytes, &size,
+              TJSAMP_444, 100, 0);
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
+  tjFree(bytes);
+  tjDestroy(encoder);
 }
 
 }  // namespace slackwater::tests

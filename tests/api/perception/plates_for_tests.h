@@ -20,5 +20,7 @@ void paint(api::Picture& picture, int left, int top, int right, int bottom, cons
 
 /// By zlib, after the standard's text: not by the library that reads it.
 void write_png(const std::filesystem::path& file, const api::Picture& picture);
+/// With so little loss that a plain colour is right to a level or two.
+void write_jpeg(const std::filesystem::path& file, const api::Picture& picture);
 
 }  // namespace slackwater::tests
