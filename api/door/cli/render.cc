@@ -6,11 +6,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "api/ask/render/logged_eye.h"
+#include "api/ask/render/rendered_run.h"
 #include "api/door/cli/command.h"
 #include "api/door/cli/progress.h"
-#include "api/show/eyes/picture_labels.h"
-#include "api/show/eyes/view_file.h"
+#include "api/show/render/picture_labels.h"
+#include "api/show/render/view_file.h"
 #include "fields/base/text.h"
 #include "fields/base/whole_file.h"
 
@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 struct RenderArguments {
-  EyeChoice choice;
+  RenderChoice choice;
   std::string at;
   std::string every;
   std::filesystem::path forecast;
@@ -39,30 +39,30 @@ double seconds_of(const std::string& text) {
 }
 
 /// "90s" after the start, or a UTC time.
-double time_from(const std::string& text, const LoggedEye& eye) {
+double time_from(const std::string& text, const RenderedRun& run) {
   const auto read = [&](const std::string& given) {
     if (given.find('T') == std::string::npos) return seconds_of(given);
-    return std::chrono::duration<double>(parse_utc(given) - eye.start()).count();
+    return std::chrono::duration<double>(parse_utc(given) - run.start()).count();
   };
   return option_value("--at", text, read);
 }
 
-std::vector<double> moments_from(const RenderArguments& arguments, const LoggedEye& eye) {
+std::vector<double> moments_from(const RenderArguments& arguments, const RenderedRun& run) {
   if (arguments.at.empty() == arguments.every.empty())
     throw Error(ErrorKind::usage,
                 "say when: one of --at (\"90s\" after the start, or a UTC time) and --every "
                 "(\"10s\": from the log's start to its end)");
-  if (!arguments.at.empty()) return {time_from(arguments.at, eye)};
+  if (!arguments.at.empty()) return {time_from(arguments.at, run)};
   const double step_s = option_value("--every", arguments.every, seconds_of);
   if (!(step_s > 0)) throw Error(ErrorKind::usage, "--every: expected more than 0 s");
-  const double frames = std::floor((eye.to_s() - eye.from_s()) / step_s + 1e-9) + 1;
+  const double frames = std::floor((run.to_s() - run.from_s()) / step_s + 1e-9) + 1;
   if (frames > static_cast<double>(most_frames))
     throw Error(ErrorKind::usage, formatted("--every: makes {:.0f} pictures, expected {} at most; "
                                             "take a longer step",
                                             frames, most_frames));
   std::vector<double> times_s;
   for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i)
-    times_s.push_back(std::min(eye.from_s() + static_cast<double>(i) * step_s, eye.to_s()));
+    times_s.push_back(std::min(run.from_s() + static_cast<double>(i) * step_s, run.to_s()));
   return times_s;
 }
 
@@ -71,7 +71,7 @@ std::string name_at(const std::string& sensor, double t_s) {
   return formatted("{}_{:010.3f}", sensor, t_s);
 }
 
-json json_of(const EyeView& view, const std::string& name) {
+json json_of(const RenderView& view, const std::string& name) {
   json out = {{"t_s", view.t_s},
               {"time", format_utc(view.time)},
               {"png", name + ".png"},
@@ -94,16 +94,16 @@ json json_of(const EyeView& view, const std::string& name) {
   return out;
 }
 
-std::size_t defects_in(const EyeView& view) {
+std::size_t defects_in(const RenderView& view) {
   return static_cast<std::size_t>(std::count_if(view.defects.begin(), view.defects.end(),
                                                 [](const SeenDefect& d) { return d.pixels > 0; }));
 }
 
 void run_render(const RenderArguments& arguments, const Context& context) {
-  EyeChoice choice = arguments.choice;
+  RenderChoice choice = arguments.choice;
   if (!arguments.forecast.empty()) choice.forecast = arguments.forecast;
-  const LoggedEye eye(choice, context.store_folder);
-  const std::vector<double> times_s = moments_from(arguments, eye);
+  const RenderedRun run(choice, context.store_folder);
+  const std::vector<double> times_s = moments_from(arguments, run);
   std::filesystem::path folder = arguments.out;
   if (folder.empty()) folder = choice.log.stem().string() + "-" + choice.sensor;
   std::error_code problem;
@@ -111,16 +111,16 @@ void run_render(const RenderArguments& arguments, const Context& context) {
   if (problem)
     throw Error(ErrorKind::unavailable,
                 "--out: cannot make the folder " + folder.string() + ": " + problem.message());
-  for (const std::string& warning : eye.warnings())
+  for (const std::string& warning : run.warnings())
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   ProgressBar progress("render " + choice.log.filename().string(), context.json);
   json frames = json::array();
   PictureLabels labels;
   std::size_t with_defects = 0;
   for (std::size_t i = 0; i < times_s.size(); ++i) {
-    const EyeView view = eye.view_at(times_s[i]);
+    const RenderView view = run.view_at(times_s[i]);
     const std::string name = name_at(choice.sensor, view.t_s);
-    write_view_netcdf(view, eye, folder / (name + ".nc"));
+    write_view_netcdf(view, run, folder / (name + ".nc"));
     write_view_png(view, folder / (name + ".png"));
     labels.add(view, name + ".png");
     with_defects += defects_in(view) > 0 ? 1 : 0;
@@ -131,13 +131,13 @@ void run_render(const RenderArguments& arguments, const Context& context) {
     write_text(folder / "labels.json", labels.coco().dump() + "\n");
   if (context.json) {
     const json out = {{"log", choice.log.string()}, {"sensor", choice.sensor},
-                      {"vehicle", eye.vehicle()},   {"folder", folder.string()},
-                      {"warnings", eye.warnings()}, {"frames", frames}};
+                      {"vehicle", run.vehicle()},   {"folder", folder.string()},
+                      {"warnings", run.warnings()}, {"frames", frames}};
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
     return;
   }
-  std::printf("%s of %s: %zu picture%s in %s, a .png and a .nc each", eye.sensor().name.c_str(),
-              eye.vehicle().c_str(), times_s.size(), times_s.size() == 1 ? "" : "s",
+  std::printf("%s of %s: %zu picture%s in %s, a .png and a .nc each", run.sensor().name.c_str(),
+              run.vehicle().c_str(), times_s.size(), times_s.size() == 1 ? "" : "s",
               folder.c_str());
   if (with_defects > 0) std::printf("; planted defects in %zu of them", with_defects);
   std::printf("\n");

@@ -1,0 +1,70 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "twin/inspection/cast/ray_caster.h"
+#include "twin/inspection/instrument/look.h"
+#include "twin/render/scene/render_scene.h"
+
+namespace slackwater::twin {
+
+/// A forward-looking sonar: a fan of beams to the right and left of its axis, each narrow across
+/// and tall upright, whose echoes fall into bins of range.
+struct ImagingSonarSheet {
+  int beams = 512;
+  double across_rad = 2.27;   ///< of the whole fan, from the first beam's middle to the last one's
+  double beam_rad = 0.0105;   ///< of one beam, between its half-power points
+  double upright_rad = 0.35;  ///< of each beam, likewise
+  int rays = 256;             ///< cast in each beam, upright
+  int bins = 512;             ///< of range, from 0 to the longest
+  double frequency_hz = 750e3;
+  double absorption_db_m = 0.25;  ///< one way
+  /// Level of the echo of a square metre of the bed that is met squarely, mu, in dB: Lambert's law
+  /// S = 10 log10(mu) + 10 log10(cos^2 i), with Mackenzie's 27 dB below.
+  double mackenzie_db = -27;
+  double noise_floor = 1e-9;  ///< intensity of noise in a bin, in the units of the picture
+};
+
+/// A picture: beams from left to right by bins from near to far.
+struct SonarImage {
+  int beams = 0;
+  int bins = 0;
+  std::vector<float> intensity;  ///< with speckle; of a source of 1 at 1 m, the ways back and forth
+  std::vector<float> mean;       ///< without speckle and noise
+};
+
+/// The middle of a beam, radians to the right of the axis.
+[[nodiscard]] double sonar_bearing_rad(const ImagingSonarSheet& sheet, int beam) noexcept;
+
+/// One ping. Each beam is cut into as many rays upright as the sheet says, evenly over three
+/// half-power widths; what a ray of solid angle dW meets at range r throws back, of a source of
+/// intensity 1 at 1 m,
+///
+///   dI = mu cos^2(i) dA b(e)^2 10^(-2 a r / 10) / r^4,   dA = r^2 dW / cos(i)
+///      = mu cos(i) dW b(e)^2 10^(-2 a r / 10) / r^2
+///
+/// (Lambert's law after Mackenzie 1961, J. Acoust. Soc. Am. 33, 1498; spherical spreading there and
+/// back) into the bin of r. dW = beam's width times cos(e) de; b is the pattern of a beam upright,
+/// exp(-ln 2 (2 e / upright)^2), once out and once in. The surface of the sea, seen from below,
+/// throws back as the bed does (an estimate), and nothing comes by way of it.
+///
+/// Speckle: the intensity of a bin is that times an exponential random number of mean 1 (Rayleigh's
+/// amplitude: many scatterers), by (seed, beam, bin) alone; noise is added likewise.
+/// @param caster  of the scene's things, in their order
+[[nodiscard]] SonarImage pinged(const RenderScene& scene, const RayCaster& caster,
+                                const ImagingSonarSheet& sheet, const Pose& pose,
+                                double least_range_m, double most_range_m, std::uint64_t seed,
+                                int threads);
+
+/// A multibeam's ping: the same beams, but each told as one range, along its middle. Nothing where
+/// it meets nothing. Noise is normal, by (seed, beam).
+struct Sounding {
+  float range_m = 0;  ///< NaN: none
+  float true_range_m = 0;
+};
+[[nodiscard]] std::vector<Sounding> sounded(const RayCaster& caster, const Pose& pose, int beams,
+                                            double across_rad, double noise_sd_m,
+                                            double noise_per_range, double least_range_m,
+                                            double most_range_m, std::uint64_t seed);
+
+}  // namespace slackwater::twin

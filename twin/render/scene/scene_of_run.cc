@@ -1,0 +1,131 @@
+#include "twin/render/scene/scene_of_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields/base/config.h"
+#include "fields/base/text.h"
+#include "twin/inspection/defect/defect_plan.h"
+#include "twin/render/scene/sea_mesh.h"
+#include "twin/render/scene/simple_mesh.h"
+
+namespace slackwater::twin {
+namespace {
+
+constexpr double thinner = 0.96;       // of a structure under an inspected surface
+constexpr double on_it = 0.05;         // of its size: what lies so near to it is its surface
+constexpr double most_of_bed_m = 400;  // from the middle
+constexpr double most_of_sea_m = 3000;
+
+/// Whether most corners of a mesh lie on a structure's face.
+bool lies_on(const TriangleMesh& mesh, const Structure& structure) {
+  std::size_t near = 0;
+  const double size_m = std::visit(
+      [](const auto& shape) {
+        if constexpr (requires { shape.radius_m; })
+          return shape.radius_m;
+        else
+          return std::min(shape.half_size_m.x, shape.half_size_m.y);
+      },
+      structure);
+  for (std::size_t i = 0; i < mesh.corners.size(); ++i)
+    near += std::abs(signed_distance_m(structure, mesh.corner_m(i))) < on_it * size_m ? 1 : 0;
+  return 2 * near > mesh.corners.size();
+}
+
+Structure thinned(const Structure& structure) {
+  Structure thin = structure;
+  if (auto* cylinder = std::get_if<Cylinder>(&thin)) {
+    cylinder->radius_m *= thinner;
+  } else if (auto* box = std::get_if<Box>(&thin)) {
+    box->half_size_m.x *= thinner;
+    box->half_size_m.y *= thinner;
+  }
+  return thin;
+}
+
+void add_surfaces(const RunMoment& moment, RenderScene& scene) {
+  for (const auto& inspection : moment.inspections) {
+    std::vector<std::size_t> thing_of;
+    for (const Surface& surface : inspection->surfaces) {
+      thing_of.push_back(scene.things.size());
+      scene.things.push_back(
+          {surface.name, class_of(surface.kind), usual_material_of(surface.kind), surface.mesh});
+    }
+    const std::vector<Defect> defects =
+        plant(inspection->plan.defects, inspection->surfaces, inspection->facts, moment.seed);
+    const auto marks = marks_of(defects, inspection->surfaces, thing_of, moment.seed);
+    scene.marks.insert(scene.marks.end(), marks.begin(), marks.end());
+  }
+}
+
+void add_structures(const RunMoment& moment, RenderScene& scene) {
+  const std::size_t surfaces = scene.things.size();
+  std::size_t number = 0;
+  for (const Structure& structure : moment.sampler.environment().structures) {
+    const bool is_inspected =
+        std::any_of(scene.things.begin(), scene.things.begin() + static_cast<long>(surfaces),
+                    [&](const SeenThing& thing) { return lies_on(thing.mesh, structure); });
+    scene.things.push_back({formatted("structure {}", ++number), SeenClass::structure,
+                            Material::steel,
+                            mesh_of(is_inspected ? thinned(structure) : structure)});
+  }
+}
+
+void add_bed(const RunMoment& moment, RenderScene& scene) {
+  const BedSample bed = moment.sampler.bed(moment.middle_m);
+  if (!has_value(bed.status) || !(bed.water_depth_m > 0)) return;
+  std::vector<LevelDisc> shown;
+  for (const auto& inspection : moment.inspections)
+    for (const Surface& surface : inspection->surfaces) {
+      if (surface.kind != SurfaceKind::bed) continue;
+      LevelDisc disc{surface.mesh.origin_m.x, surface.mesh.origin_m.y, 0};
+      for (std::size_t i = 0; i < surface.mesh.corners.size(); ++i) {
+        const Triple<double> at = surface.mesh.corner_m(i);
+        disc.radius_m =
+            std::max(disc.radius_m, std::hypot(at.x - disc.north_m, at.y - disc.east_m));
+      }
+      shown.push_back(disc);
+    }
+  const double reach_m = std::min(moment.reach_m, most_of_bed_m);
+  scene.things.push_back({"bed", SeenClass::bed, Material::sand,
+                          bed_mesh({moment.middle_m.x, moment.middle_m.y, bed.water_depth_m},
+                                   reach_m, std::max(0.5, reach_m / 40), shown)});
+}
+
+}  // namespace
+
+VehicleShape read_vehicle_shape(const std::filesystem::path& file) {
+  const Config config = Config::load(file);
+  VehicleShape shape;
+  const std::string kind = config.text("kind");
+  for (const VehicleKind one : {VehicleKind::rov, VehicleKind::auv, VehicleKind::uav,
+                                VehicleKind::usv, VehicleKind::vessel})
+    if (kind == name_of(one)) shape.kind = one;
+  const Config size = config.child("dimensions_m");
+  shape.size_m = {size.number("length", {0.05, 500}), size.number("width", {0.05, 100}),
+                  size.number("height", {0.02, 100})};
+  if (const auto hulls = config.optional_child("hulls"))
+    shape.middle_m.z = hulls->number("keel_z_m", {-50, 50}) - 0.5 * shape.size_m.z;
+  return shape;
+}
+
+RenderScene scene_of_run(const RunMoment& moment) {
+  RenderScene scene;
+  scene.t_s = moment.t_s;
+  add_surfaces(moment, scene);
+  add_structures(moment, scene);
+  add_bed(moment, scene);
+  for (const SeenVehicle& seen : moment.vehicles)
+    scene.things.push_back(
+        {seen.name, SeenClass::vehicle, Material::plastic,
+         hull_mesh(seen.shape.kind, seen.shape.size_m,
+                   seen.position_m + seen.attitude.to_ned(seen.shape.middle_m), seen.attitude)});
+  scene.things.push_back({"sea", SeenClass::water, Material::water,
+                          sea_mesh(moment.sampler.waves(), moment.middle_m,
+                                   std::min(moment.reach_m, most_of_sea_m), moment.t_s)});
+  scene.surface_m = scene.things.back().mesh.corner_m(0).z;
+  return scene;
+}
+
+}  // namespace slackwater::twin
