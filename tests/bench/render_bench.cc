@@ -14,6 +14,7 @@
 #include "tests/twin/inspection/meshes_for_tests.h"
 #include "tests/twin/render/render_for_tests.h"
 #include "twin/render/frame/truth_frame.h"
+#include "twin/render/light/light_frame.h"
 #include "twin/render/light/picture.h"
 #include "twin/render/ranging/imaging_sonar.h"
 #include "twin/render/ranging/lidar.h"

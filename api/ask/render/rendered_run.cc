@@ -10,6 +10,8 @@
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "fields/base/text.h"
+#include "twin/render/light/light_frame.h"
+#include "twin/render/scene/place_to_look_at.h"
 #include "twin/render/scene/scene_of_run.h"
 #include "twin/risk/sun_position.h"
 
@@ -149,35 +151,63 @@ twin::Carriage turned_with(const twin::Pose& pose, const twin::RenderSensor& sen
   return {pose.position_m - turned.to_ned(sensor.position_m), turned, pose.velocity_m_s, {}};
 }
 
-/// The nearest place that somebody would turn a camera to, if one is near enough.
-std::optional<twin::Triple<double>> place_to_look_at(const RenderedRun::Parts& parts,
-                                                     const twin::Triple<double>& from_m) {
-  std::optional<twin::Triple<double>> place_m;
-  double nearest_m = parts.sensor.most_range_m;
-  const auto take = [&](const twin::Triple<double>& at_m) {
-    const double away_m = length_of(at_m - from_m);
-    if (!(away_m < nearest_m)) return;
-    nearest_m = away_m;
-    place_m = at_m;
-  };
-  for (const auto& inspection : parts.inspections)
-    for (const twin::Surface& surface : inspection->surfaces)
-      for (const twin::Patch& patch : surface.patches) take(patch.centre_m);
-  if (place_m) return place_m;
-  for (const twin::Structure& structure : parts.ready.environment->structures) {
-    // Down the slope of its distance, which is exact: to its surface.
-    const double away_m = twin::signed_distance_m(structure, from_m);
-    constexpr double step_m = 1e-4;
-    const auto slope = [&](const twin::Triple<double>& step) {
-      return (twin::signed_distance_m(structure, from_m + step) -
-              twin::signed_distance_m(structure, from_m - step)) /
-             (2 * step_m);
-    };
-    const twin::Triple<double> out{slope({step_m, 0, 0}), slope({0, step_m, 0}),
-                                   slope({0, 0, step_m})};
-    if (away_m > 0) take(from_m - away_m * out);
+/// The sea as somebody led it up to then.
+void lead_weather(const RenderedRun::Parts& parts, double t_s) {
+  const twin::Environment& environment = *parts.ready.environment;
+  if (!environment.weather) return;
+  environment.weather->forget();
+  for (const twin::Command& command : parts.weather) {
+    const double set_s = static_cast<double>(command.step) * parts.scenario.step_s;
+    if (set_s <= t_s)
+      environment.weather->set(std::get<twin::SetWeather>(command.what).asked, environment, set_s);
   }
-  return place_m;
+}
+
+std::vector<twin::SeenVehicle> others_at(const RenderedRun::Parts& parts, double t_s) {
+  std::vector<twin::SeenVehicle> vehicles;
+  for (std::size_t i = 0; i < parts.log.names.size(); ++i) {
+    if (i == parts.vehicle || !parts.shapes[i]) continue;
+    if (const auto there = parts.poses.at(i, t_s))
+      vehicles.push_back(
+          {parts.log.names[i], *parts.shapes[i], there->position_m, there->attitude});
+  }
+  return vehicles;
+}
+
+/// All but lamps and shadows.
+twin::Lighting lighting_at(const RenderedRun::Parts& parts, const twin::EnvironmentSampler& sampler,
+                           UtcTime time) {
+  twin::Clarity in_water = parts.in_water, in_air = parts.in_air;
+  if (const auto seen_m = sampler.water_visibility_m())
+    in_water = twin::seen_through(in_water, *seen_m, twin::Medium::water);
+  if (const auto seen_m = sampler.visibility_m())
+    in_air = twin::seen_through(in_air, *seen_m, twin::Medium::air);
+  twin::Lighting lighting;
+  lighting.water = twin::coloured(in_water, parts.water_type);
+  lighting.air = twin::colourless(in_air);
+  lighting.seed = parts.scenario.seed;
+  if (!parts.choice.is_overcast) {
+    const twin::SunPosition sun = twin::sun_position(parts.ready.origin, time);
+    lighting.sky = twin::clear_sky(sun.elevation_deg, sun.azimuth_deg);
+  }
+  return lighting;
+}
+
+CameraView seen_by(const twin::CameraSheet& camera, const RenderedRun::Parts& parts,
+                   const twin::RenderScene& scene, const twin::Pose& pose,
+                   const twin::Carriage& lamps_on, twin::Lighting lighting, std::uint64_t seed) {
+  const int threads = parts.choice.threads;
+  const twin::Pinhole pinhole(pose, camera.frame);
+  CameraView seen;
+  seen.matrix = pinhole.matrix();
+  twin::FrameHits hits;
+  seen.truth = twin::truth_of(scene, pinhole, parts.sensor.most_range_m, threads, hits);
+  for (const twin::MountedLamp& lamp : camera.lamps)
+    lighting.lamps.push_back(twin::lamp_of(lamp, lamps_on));
+  lighting.shadows = twin::shadows_of(scene);
+  seen.picture = twin::developed(twin::light_of(scene, lighting, pinhole, hits, threads),
+                                 camera.sensor, seed, threads);
+  return seen;
 }
 
 }  // namespace
@@ -199,6 +229,7 @@ const std::vector<std::string>& RenderedRun::warnings() const noexcept { return 
 
 RenderView RenderedRun::view_at(double t_s) const {
   const Parts& parts = *parts_;
+  const twin::RenderSensor& sensor = parts.sensor;
   if (!(t_s >= from_s() && t_s <= to_s()))
     throw Error(
         ErrorKind::invalid_input,
@@ -209,75 +240,44 @@ RenderView RenderedRun::view_at(double t_s) const {
     throw Error(ErrorKind::invalid_input,
                 formatted("{} was not there at {:g} s: it joined later, or had come to grief",
                           vehicle(), t_s));
-  const twin::Environment& environment = *parts.ready.environment;
-  if (environment.weather) {
-    environment.weather->forget();
-    for (const twin::Command& command : parts.weather) {
-      const double set_s = static_cast<double>(command.step) * parts.scenario.step_s;
-      if (set_s <= t_s)
-        environment.weather->set(std::get<twin::SetWeather>(command.what).asked, environment,
-                                 set_s);
-    }
-  }
-  const twin::EnvironmentSampler sampler(environment);
+  lead_weather(parts, t_s);
+  const twin::EnvironmentSampler sampler(*parts.ready.environment);
 
   RenderView view;
   view.t_s = t_s;
   view.time = parts.ready.start + std::chrono::milliseconds(std::llround(1000 * t_s));
-  view.pose = twin::pose_of(parts.sensor, *carriage);
-  std::optional<twin::Triple<double>> aimed_at_m;
-  if (parts.sensor.is_aimed) aimed_at_m = place_to_look_at(parts, view.pose.position_m);
-  if (aimed_at_m) view.pose = twin::pose_of(parts.sensor, *carriage, *aimed_at_m);
-  std::vector<twin::SeenVehicle> vehicles;
-  for (std::size_t i = 0; i < parts.log.names.size(); ++i) {
-    if (i == parts.vehicle || !parts.shapes[i]) continue;
-    if (const auto there = parts.poses.at(i, t_s))
-      vehicles.push_back(
-          {parts.log.names[i], *parts.shapes[i], there->position_m, there->attitude});
+  view.pose = twin::pose_of(sensor, *carriage);
+  // Lamps stand on the hull, or turn with the camera that is turned.
+  twin::Carriage lamps_on = *carriage;
+  if (sensor.is_aimed) {
+    const auto place_m =
+        twin::place_to_look_at(parts.inspections, parts.ready.environment->structures,
+                               view.pose.position_m, sensor.most_range_m);
+    if (place_m) {
+      view.pose = twin::pose_of(sensor, *carriage, *place_m);
+      lamps_on = turned_with(view.pose, sensor);
+    }
   }
+  const std::vector<twin::SeenVehicle> vehicles = others_at(parts, t_s);
   const twin::RenderScene scene =
       twin::scene_of_run({sampler, parts.inspections, vehicles, parts.scenario.seed, t_s,
-                          view.pose.position_m, parts.sensor.most_range_m});
+                          view.pose.position_m, sensor.most_range_m});
   const bool is_under_water = view.pose.position_m.z > scene.surface_m;
-  twin::expect_in_medium(parts.sensor, is_under_water,
+  twin::expect_in_medium(sensor, is_under_water,
                          formatted("{:.2f} m {} the surface, {:g} s after the start",
                                    std::abs(view.pose.position_m.z - scene.surface_m),
                                    is_under_water ? "below" : "above", t_s));
   for (const twin::SeenThing& thing : scene.things)
     view.things.push_back({thing.name, thing.seen_class});
   for (const twin::DefectMark& mark : scene.marks)
-    view.defects.push_back({mark.defect, mark.kind, scene.things[mark.thing].name,
+    view.defects.push_back({mark.defect, mark.kind, scene.things[mark.thing].name, mark.thing + 1U,
                             2 * mark.half_along_m, mark.severity, mark.centre_m, 0});
 
+  // Noise of its own for each moment.
   const auto seed = parts.scenario.seed ^ static_cast<std::uint64_t>(std::llround(1000 * t_s));
-  const int threads = parts.choice.threads;
-  twin::Lighting lighting;
-  twin::Clarity in_water = parts.in_water, in_air = parts.in_air;
-  if (const auto seen_m = sampler.water_visibility_m())
-    in_water = twin::seen_through(in_water, *seen_m, twin::Medium::water);
-  if (const auto seen_m = sampler.visibility_m())
-    in_air = twin::seen_through(in_air, *seen_m, twin::Medium::air);
-  lighting.water = twin::coloured(in_water, parts.water_type);
-  lighting.air = twin::colourless(in_air);
-  lighting.seed = parts.scenario.seed;
-  if (!parts.choice.is_overcast) {
-    const twin::SunPosition sun = twin::sun_position(parts.ready.origin, view.time);
-    lighting.sky = twin::clear_sky(sun.elevation_deg, sun.azimuth_deg);
-  }
-  if (const auto* camera = std::get_if<twin::CameraSheet>(&parts.sensor.device)) {
-    const twin::Pinhole pinhole(view.pose, camera->frame);
-    CameraView seen;
-    seen.matrix = pinhole.matrix();
-    twin::FrameHits hits;
-    seen.truth = twin::truth_of(scene, pinhole, parts.sensor.most_range_m, threads, hits);
-    // Lamps stand on the hull, or turn with the camera that is turned.
-    twin::Carriage lit_from = *carriage;
-    if (aimed_at_m) lit_from = turned_with(view.pose, parts.sensor);
-    for (const twin::MountedLamp& lamp : camera->lamps)
-      lighting.lamps.push_back(twin::lamp_of(lamp, lit_from));
-    lighting.shadows = twin::shadows_of(scene);
-    seen.picture = twin::developed(twin::light_of(scene, lighting, pinhole, hits, threads),
-                                   camera->sensor, seed, threads);
+  const twin::Lighting lighting = lighting_at(parts, sampler, view.time);
+  if (const auto* camera = std::get_if<twin::CameraSheet>(&sensor.device)) {
+    CameraView seen = seen_by(*camera, parts, scene, view.pose, lamps_on, lighting, seed);
     for (const std::uint16_t defect : seen.truth.defect)
       if (defect > 0) ++view.defects[defect - 1U].pixels;
     view.seen = std::move(seen);
@@ -286,14 +286,14 @@ RenderView RenderedRun::view_at(double t_s) const {
   std::vector<twin::TriangleMesh> meshes;
   for (const twin::SeenThing& thing : scene.things) meshes.push_back(thing.mesh);
   const twin::RayCaster caster(meshes);
-  if (const auto* lidar = std::get_if<twin::LidarSheet>(&parts.sensor.device))
+  const int threads = parts.choice.threads;
+  if (const auto* lidar = std::get_if<twin::LidarSheet>(&sensor.device))
     view.seen =
-        twin::scanned(scene, caster, *lidar, view.pose, parts.sensor.least_range_m,
-                      parts.sensor.most_range_m, in_air.beam_attenuation_per_m, seed, threads);
+        twin::scanned(scene, caster, *lidar, view.pose, sensor.least_range_m, sensor.most_range_m,
+                      lighting.air.beam_attenuation_per_m[twin::green], seed, threads);
   else
-    view.seen = twin::pinged(scene, caster, std::get<twin::ImagingSonarSheet>(parts.sensor.device),
-                             view.pose, parts.sensor.least_range_m, parts.sensor.most_range_m, seed,
-                             threads);
+    view.seen = twin::pinged(scene, caster, std::get<twin::ImagingSonarSheet>(sensor.device),
+                             view.pose, sensor.least_range_m, sensor.most_range_m, seed, threads);
   return view;
 }
 

@@ -36,6 +36,7 @@ struct SeenDefect {
   std::uint32_t number = 0;  ///< of the run
   twin::DefectKind kind{};
   std::string surface;
+  std::size_t thing = 0;  ///< its number, from 1
   double size_m = 0;
   double severity = 0;
   twin::Triple<double> centre_m;  ///< NED of the run

@@ -172,11 +172,8 @@ class DefectList {
         of([](const SeenDefect& d) { return d.number; }));
     say_kinds(add("planted_kind", "1", "of the defect",
                   of([](const SeenDefect& d) { return static_cast<int>(d.kind); })));
-    add("planted_on", "1", "instance on which it is", of([&](const SeenDefect& d) {
-          std::size_t i = 0;
-          while (i < view.things.size() && view.things[i].name != d.surface) ++i;
-          return i + 1;
-        }));
+    add("planted_on", "1", "instance on which it is",
+        of([](const SeenDefect& d) { return d.thing; }));
     add("planted_size", "m", "longest side", of([](const SeenDefect& d) { return d.size_m; }));
     add("planted_severity", "1", "m or share, by its kind",
         of([](const SeenDefect& d) { return d.severity; }));

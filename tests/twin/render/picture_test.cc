@@ -10,6 +10,8 @@
 #include "twin/inspection/instrument/seen_light.h"
 #include "twin/render/light/albedo.h"
 #include "twin/render/light/fading.h"
+#include "twin/render/light/lamp_veil.h"
+#include "twin/render/light/light_frame.h"
 
 namespace slackwater::twin::picture_test {
 namespace {
@@ -237,7 +239,7 @@ TEST(Developed, NoiseIsShotAndRead) {
   LightFrame light;
   light.wide = 200;
   light.high = 200;
-  Sensor sensor;
+  ImageSensor sensor;
   sensor.full_well_e = 1000;
   sensor.read_noise_e = 10;
   sensor.full_light = 1;

@@ -7,6 +7,7 @@
 #include "fields/base/config.h"
 #include "twin/inspection/instrument/instrument.h"
 #include "twin/inspection/instrument/pose.h"
+#include "twin/render/light/lit_scene.h"
 #include "twin/render/light/picture.h"
 #include "twin/render/ranging/imaging_sonar.h"
 #include "twin/render/ranging/lidar.h"
@@ -27,7 +28,7 @@ struct MountedLamp {
 
 struct CameraSheet {
   FrameFootprint frame;
-  Sensor sensor;
+  ImageSensor sensor;
   std::vector<MountedLamp> lamps;
 };
 
