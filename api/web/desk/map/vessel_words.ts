@@ -1,7 +1,7 @@
 // What is said of a vessel, in the reader's units.
 import type { Look } from '../look/look';
 import { is_known, NOT_KNOWN } from '../look/units';
-import type { Approach, Traffic, Vessel } from '../server/traffic';
+import type { Traffic, Vessel } from '../server/traffic';
 
 export const name_of = ({ name, mmsi }: Vessel): string => name ?? `MMSI ${mmsi}`;
 
@@ -20,16 +20,6 @@ export function short_span(span_s: number): string {
 
 export function distance_text(metres: number): string {
   return metres < 10_000 ? `${Math.round(metres)} m` : `${(metres / 1000).toFixed(1)} km`;
-}
-
-const place_of = ({ turbine }: Approach): string => turbine ?? 'the site';
-
-/** The way of a vessel past the site or a turbine. */
-export function approach_words(approach: Approach): string {
-  const where = `${distance_text(approach.cpa_m)} from ${place_of(approach)}`;
-  const span = short_span(approach.tcpa_s);
-  if (approach.passing === 'closing') return `passes ${where} in ${span}`;
-  return approach.passing === 'past' ? `goes away, past at ${where} ${span} ago` : `lies ${where}`;
 }
 
 /** The limit for which a vessel is marked; empty where it is not. */
@@ -51,7 +41,7 @@ export function age_words({ age_s, state }: Vessel): string {
 /** Of what stands under the pointer. */
 export function title_of(vessel: Vessel, traffic: Traffic, look: Look): string {
   const limit = limit_words(vessel, traffic);
-  const told = vessel.told === null ? 'no closest approach' : approach_words(vessel.told);
+  const told = vessel.told === null ? 'no closest approach' : vessel.told.in_words;
   const lines = [
     name_of(vessel),
     kind_of(vessel),

@@ -8,6 +8,7 @@ export interface Approach {
   passing: 'closing' | 'past' | 'still';
   cpa_m: number;
   tcpa_s: number; // negative: so long ago
+  in_words: string;
 }
 export interface Vessel extends Place {
   mmsi: number;

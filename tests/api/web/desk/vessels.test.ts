@@ -3,14 +3,20 @@ import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { box_of_words, overlaps, place_labels } from 'page/map/labels';
 import { vessels_layer, type VesselsLayer } from 'page/map/vessels_layer';
 import { vessel_sign } from 'page/map/vessel_signs';
-import { approach_words, short_span } from 'page/map/vessel_words';
+import { short_span, title_of } from 'page/map/vessel_words';
 import { projection_of } from 'page/map/projection';
 import type { Traffic, Vessel } from 'page/server/traffic';
 import type { ViewValues } from 'page/view';
 import { late_server, NOW, TIMES, two_sites, type LateServer } from './late';
 
 const PLACE = { longitude_deg: -2.55, latitude_deg: 48.85 };
-const PAST = { turbine: null, passing: 'past', cpa_m: 700, tcpa_s: -300 } as const;
+const PAST = {
+  turbine: null,
+  passing: 'past',
+  cpa_m: 700,
+  tcpa_s: -300,
+  in_words: 'goes away, past at 700 m from the site 5 min ago',
+} as const;
 const vessel = (mmsi: number, more: Partial<Vessel> = {}): Vessel => ({
   ...PLACE,
   mmsi,
@@ -34,7 +40,13 @@ const vessel = (mmsi: number, more: Partial<Vessel> = {}): Vessel => ({
   alarm: null,
   ...more,
 });
-const NEAR = { turbine: 'A01', passing: 'closing', cpa_m: 210, tcpa_s: 720 } as const;
+const NEAR = {
+  turbine: 'A01',
+  passing: 'closing',
+  cpa_m: 210,
+  tcpa_s: 720,
+  in_words: 'passes 210 m from A01 in 12 min',
+} as const;
 const MARKED = { to_turbine: NEAR, told: NEAR, alarm: 'closing' } as const;
 const OLD: Partial<Vessel> = {
   told: null,
@@ -258,11 +270,12 @@ test('NamesDoNotLieOverEachOtherAndTheFirstHasItsPlace', () => {
   }
 });
 
-test('AnApproachSaysWhetherItComesOrIsOver', () => {
-  expect(approach_words(NEAR)).toBe('passes 210 m from A01 in 12 min');
-  expect(approach_words({ ...NEAR, turbine: null, passing: 'past', tcpa_s: -40 })).toBe(
-    'goes away, past at 210 m from the site 40 s ago',
-  );
-  expect(approach_words({ ...NEAR, passing: 'still', tcpa_s: 0 })).toBe('lies 210 m from A01');
+test('WhatStandsUnderThePointerHasTheServersWordsAndTheLimit', () => {
+  const { look } = late_server(two_sites(), {}, { site: 'a' }).desk;
+  const lines = title_of(vessel(1, MARKED), told([]), look).split('\n');
+  expect(lines[0]).toBe('SHIP 1');
+  expect(lines.at(-1)).toBe('passes 210 m from A01 in 12 min: nearer than 500 m within 30 min');
+  expect(title_of(vessel(1), told([]), look)).toContain('past at 700 m from the site 5 min ago');
+  expect(title_of(vessel(1, OLD), told([]), look)).toContain('no closest approach');
   expect(short_span(7500)).toBe('2 h 5 min');
 });
