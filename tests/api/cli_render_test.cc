@@ -119,7 +119,7 @@ TEST_F(RenderCommand, LabelsWhatWasPlantedAsDetectReadsIt) {
   const ProgramResult run = made_->run({"render", path("run.nc"), "--sensor", "rov_camera",
                                         "--every", "40s", "--out", path("labelled")});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const json labels = json::parse(bytes_of(path("labelled/labels.json")));
+  const json labels = json::parse(bytes_of(path("labelled/rov_camera_labels.json")));
   std::size_t labelled = 0;
   for (const json& label : labels.at("annotations")) {
     const json& image = labels.at("images").at(label.at("image_id").get<std::size_t>() - 1);

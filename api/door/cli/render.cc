@@ -128,7 +128,7 @@ void run_render(const RenderArguments& arguments, const Context& context) {
     progress.update(static_cast<double>(i + 1) / static_cast<double>(times_s.size()));
   }
   if (!labels.coco().at("images").empty())
-    write_text(folder / "labels.json", labels.coco().dump() + "\n");
+    write_text(folder / (choice.sensor + "_labels.json"), labels.coco().dump() + "\n");
   if (context.json) {
     const json out = {{"log", choice.log.string()}, {"sensor", choice.sensor},
                       {"vehicle", run.vehicle()},   {"folder", folder.string()},
