@@ -25,7 +25,7 @@ class ColourDetector : public Detector {
   explicit ColourDetector(Colours colours) : colours_(std::move(colours)), kinds_{colours_.of} {}
   [[nodiscard]] const std::vector<std::string>& kinds() const noexcept override { return kinds_; }
 
-  [[nodiscard]] std::vector<Detection> find(const Picture& picture) override {
+  [[nodiscard]] std::vector<Detection> find(const twin::Picture& picture) override {
     // The view is read only, for which OpenCV has no type.
     const cv::Mat rgb(picture.high, picture.wide, CV_8UC3,
                       const_cast<std::uint8_t*>(picture.rgb.data()));  // NOLINT

@@ -93,7 +93,7 @@ class PercolationDetector : public Detector {
       : form_(std::move(form)), kinds_{form_.of}, percolation_(form_.window_px) {}
   [[nodiscard]] const std::vector<std::string>& kinds() const noexcept override { return kinds_; }
 
-  [[nodiscard]] std::vector<Detection> find(const Picture& picture) override {
+  [[nodiscard]] std::vector<Detection> find(const twin::Picture& picture) override {
     const cv::Mat rgb(picture.high, picture.wide, CV_8UC3,
                       const_cast<std::uint8_t*>(picture.rgb.data()));  // NOLINT: only read
     cv::Mat grey, mean, steep;

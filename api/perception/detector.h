@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "api/perception/detection.h"
-#include "api/perception/picture.h"
+#include "twin/render/light/picture.h"
 
 namespace slackwater::api {
 
@@ -20,7 +20,7 @@ class Detector {
   /// What it can find.
   [[nodiscard]] virtual const std::vector<std::string>& kinds() const noexcept = 0;
   /// Surest first; the same answer for the same picture.
-  [[nodiscard]] virtual std::vector<Detection> find(const Picture& picture) = 0;
+  [[nodiscard]] virtual std::vector<Detection> find(const twin::Picture& picture) = 0;
 };
 
 /// One of data/detectors by its name, else a file of that form (network.h and those beside it).

@@ -1,12 +1,12 @@
 #include "api/perception/network.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/dnn.hpp>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 
+#include "api/perception/network_file.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "fields/base/text.h"
@@ -14,46 +14,18 @@
 namespace slackwater::api {
 namespace {
 
-/// How a picture goes in.
-struct Input {
-  std::array<double, 3> mean{};
-  std::array<double, 3> sd{};
-  int multiple_of = 0;                       ///< of each side; or
-  std::optional<std::array<int, 2>> fitted;  ///< wide, high
-};
-struct Grid {
-  std::string output;
-  int stride_px = 0;
-};
-struct Rows {
-  std::string output;
-  bool has_objectness = false;
-  bool is_transposed = false;
-};
-/// What one head must say of the test's picture.
-struct Said {
-  std::string output;
-  std::vector<double> at;
-  std::vector<double> is;
-};
-struct Proof {
-  int seed = 0;
-  int wide = 0;
-  int high = 0;
-  std::vector<Said> heads;
-};
-struct Model {
-  std::vector<std::string> kinds;
-  Input input;
-  std::vector<Grid> grids;
-  std::optional<Rows> rows;
-  double least_confidence = 0.25;
-  double most_overlap = 0.5;
-  Proof proof;
-};
-
 constexpr std::size_t most_found = 300;
+/// Some hundred bytes a pixel are between the layers.
+constexpr std::size_t most_pixels_at_once = 50'000'000;
 constexpr double most_difference = 1e-4;
+
+/// Why, without where in its sources.
+std::string in_one_line(const cv::Exception& problem) {
+  std::string why = problem.err;
+  std::replace_if(
+      why.begin(), why.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  return std::string(trimmed(why));
+}
 
 double sigmoid(double logit) noexcept { return 1 / (1 + std::exp(-logit)); }
 
@@ -65,11 +37,11 @@ struct Fitted {
 
 class Network : public Detector {
  public:
-  Network(Model model, cv::dnn::Net net, std::string name)
+  Network(NetworkFile model, cv::dnn::Net net, std::string name)
       : model_(std::move(model)), net_(std::move(net)), name_(std::move(name)) {
     net_.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
     net_.setPreferableTarget(cv::dnn::DNN_TARGET_CPU);
-    for (const Grid& grid : model_.grids) outputs_.push_back(grid.output);
+    for (const HeadGrid& grid : model_.grids) outputs_.push_back(grid.output);
     if (model_.rows) outputs_.push_back(model_.rows->output);
   }
 
@@ -77,7 +49,14 @@ class Network : public Detector {
     return model_.kinds;
   }
 
-  [[nodiscard]] std::vector<Detection> find(const Picture& picture) override {
+  [[nodiscard]] std::vector<Detection> find(const twin::Picture& picture) override {
+    if (!model_.input.fitted &&
+        static_cast<std::size_t>(picture.wide) * static_cast<std::size_t>(picture.high) >
+            most_pixels_at_once)
+      refuse(
+          formatted("found a picture of {} x {} pixels, expected at most {} for a network that "
+                    "looks at all of them: cut it into parts, or scale it down",
+                    picture.wide, picture.high, most_pixels_at_once));
     const Fitted fitted = fit(picture);
     std::vector<Detection> found;
     const std::vector<cv::Mat> heads = forward(fitted.blob);
@@ -97,7 +76,7 @@ class Network : public Detector {
 
   /// @throws Error(invalid_input) where it does not say what its file says that it must
   void prove() {
-    Picture picture{model_.proof.wide, model_.proof.high, {}};
+    twin::Picture picture{model_.proof.wide, model_.proof.high, {}};
     picture.rgb.resize(static_cast<std::size_t>(3 * picture.wide * picture.high));
     for (std::size_t k = 0; k < picture.rgb.size(); ++k)
       picture.rgb[k] =
@@ -105,7 +84,7 @@ class Network : public Detector {
                                      40503U * static_cast<std::uint32_t>(model_.proof.seed)) >>
                                     24U);
     const std::vector<cv::Mat> heads = forward(fit(picture).blob);
-    for (const Said& said : model_.proof.heads) {
+    for (const HeadSays& said : model_.proof.heads) {
       const auto nth = std::find(outputs_.begin(), outputs_.end(), said.output);
       if (nth == outputs_.end())
         refuse(name_ + ": test: found the head " + said.output +
@@ -127,7 +106,7 @@ class Network : public Detector {
   }
 
  private:
-  [[nodiscard]] Fitted fit(const Picture& picture) const {
+  [[nodiscard]] Fitted fit(const twin::Picture& picture) const {
     const cv::Mat rgb(picture.high, picture.wide, CV_8UC3,
                       const_cast<std::uint8_t*>(picture.rgb.data()));  // NOLINT: only read
     cv::Mat small = rgb;
@@ -167,7 +146,8 @@ class Network : public Detector {
       net_.setInput(blob);
       net_.forward(heads, outputs_);
     } catch (const cv::Exception& problem) {
-      refuse(name_ + ": OpenCV cannot compute it: " + std::string(problem.what()));
+      refuse(name_ + ": OpenCV cannot compute it (" + in_one_line(problem) +
+             "): export it with plainer operations");
     }
     for (std::size_t i = 0; i < heads.size(); ++i)
       if (heads[i].type() != CV_32F || !heads[i].isContinuous())
@@ -175,7 +155,7 @@ class Network : public Detector {
     return heads;
   }
 
-  void decode_grid(const Grid& grid, const cv::Mat& head, const cv::Mat& blob,
+  void decode_grid(const HeadGrid& grid, const cv::Mat& head, const cv::Mat& blob,
                    std::vector<Detection>& found) const {
     const auto kinds = static_cast<int>(model_.kinds.size());
     const int high = blob.size[2] / grid.stride_px, wide = blob.size[3] / grid.stride_px;
@@ -206,7 +186,7 @@ class Network : public Detector {
     }
   }
 
-  void decode_rows(const Rows& rows, const cv::Mat& head, std::vector<Detection>& found) const {
+  void decode_rows(const HeadRows& rows, const cv::Mat& head, std::vector<Detection>& found) const {
     const std::size_t kinds = model_.kinds.size();
     const auto width = static_cast<int>(kinds + (rows.has_objectness ? 5 : 4));
     const int many = head.dims == 3 ? head.size[rows.is_transposed ? 2 : 1] : 0;
@@ -240,89 +220,31 @@ class Network : public Detector {
     return joined(sides, " x ");
   }
 
-  Model model_;
+  NetworkFile model_;
   cv::dnn::Net net_;
   std::string name_;
   std::vector<cv::String> outputs_;
 };
-
-std::array<double, 3> three(const Config& config, const char* key, Range range) {
-  const std::vector<double> numbers = config.numbers(key, range);
-  if (numbers.size() != 3) config.refuse(key, "expected three numbers: of red, green and blue");
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
-Input read_input(const Config& config) {
-  Input input{three(config, "mean", {-10, 10}), three(config, "sd", {1e-6, 1e3}), 0, {}};
-  if (config.has("wide") || config.has("high")) {
-    input.fitted = {config.integer("wide", 16, 4096), config.integer("high", 16, 4096)};
-    if (config.has("multiple_of"))
-      config.refuse("multiple_of", "expected either a size or a multiple of both sides");
-  } else {
-    input.multiple_of = config.integer("multiple_of", 1, 512);
-  }
-  return input;
-}
-
-Proof read_proof(const Config& config) {
-  Proof proof{config.integer("seed", 0, 1'000'000),
-              config.integer("wide", 16, 1024),
-              config.integer("high", 16, 1024),
-              {}};
-  for (const Config& head : config.children("heads")) {
-    Said said{head.text("output"), head.numbers("at", {0, 1e9}), head.numbers("is", {})};
-    if (said.at.empty() || said.at.size() != said.is.size())
-      head.refuse("is",
-                  formatted("found {} numbers for {} places", said.is.size(), said.at.size()));
-    proof.heads.push_back(std::move(said));
-  }
-  if (proof.heads.empty())
-    config.refuse("heads", "found none, expected what each head says of the test's picture");
-  return proof;
-}
-
-Model read_model(const Config& config) {
-  Model model;
-  model.kinds = config.texts("kinds");
-  if (model.kinds.empty()) config.refuse("kinds", "found none, expected what it can find");
-  model.input = read_input(config.child("input"));
-  for (const Config& grid : config.children("grids"))
-    model.grids.push_back({grid.text("output"), grid.integer("stride_px", 1, 256)});
-  if (const auto rows = config.optional_child("rows"))
-    model.rows = {rows->text("output"), rows->optional_flag("has_objectness").value_or(false),
-                  rows->optional_flag("is_transposed").value_or(false)};
-  if (model.grids.empty() == !model.rows.has_value())
-    config.refuse("grids", "expected either grids or rows: how its outputs are to be read");
-  for (const Grid& grid : model.grids)
-    if (!model.input.fitted && model.input.multiple_of % grid.stride_px != 0)
-      config.refuse("grids",
-                    formatted("found a stride of {} px, which does not divide the sides of "
-                              "the input, multiples of {}",
-                              grid.stride_px, model.input.multiple_of));
-  model.least_confidence =
-      config.optional_number("least_confidence", {0.001, 0.999}).value_or(model.least_confidence);
-  model.most_overlap =
-      config.optional_number("most_overlap", {0.05, 1}).value_or(model.most_overlap);
-  model.proof = read_proof(config.child("test"));
-  return model;
-}
 
 }  // namespace
 
 std::unique_ptr<Detector> read_network(const Config& config, const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / config.text("file");
   const std::string stated = config.text("sha256");
-  Model model = read_model(config);
+  NetworkFile model = read_network_file(config);
   if (!std::filesystem::is_regular_file(file))
     config.refuse("file", "found no file " + file.string());
   if (const std::string is = sha256_of_file(file, {}); is != stated)
     config.refuse("sha256", "found " + stated + ", but the file's is " + is +
                                 ": one of the two is of another model");
+  // What it has to say comes back as an error of ours; it would print it as well.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::dnn::Net net;
   try {
     net = cv::dnn::readNetFromONNX(file.string());
   } catch (const cv::Exception& problem) {
-    config.refuse("file", "OpenCV cannot read it: " + std::string(problem.what()));
+    config.refuse("file", "OpenCV cannot read it (" + in_one_line(problem) +
+                              "): expected ONNX of operators 11 to 15");
   }
   if (net.empty()) config.refuse("file", "OpenCV reads no network in it");
   auto network = std::make_unique<Network>(std::move(model), std::move(net), file.string());

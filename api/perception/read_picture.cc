@@ -5,8 +5,8 @@
 #include <iterator>
 #include <memory>
 
-#include "api/perception/picture.h"
 #include "api/perception/picture_size.h"
+#include "api/perception/read_picture.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -31,7 +31,7 @@ std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {
 }
 
 /// Whether a PNG was read whole, of the size that it states.
-bool read_png(const std::vector<std::uint8_t>& bytes, Picture& picture) {
+bool read_png(const std::vector<std::uint8_t>& bytes, twin::Picture& picture) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) return false;
@@ -46,7 +46,7 @@ bool read_png(const std::vector<std::uint8_t>& bytes, Picture& picture) {
 }
 
 /// The same of a JPEG; what it is only warned of (a file that is cut) is a damage, too.
-bool read_jpeg(const std::vector<std::uint8_t>& bytes, Picture& picture) {
+bool read_jpeg(const std::vector<std::uint8_t>& bytes, twin::Picture& picture) {
   const std::unique_ptr<void, int (*)(void*)> decoder(tjInitDecompress(), tjDestroy);
   int wide = 0, high = 0, subsampling = 0, space = 0;
   const auto size = static_cast<unsigned long>(bytes.size());  // NOLINT: as its interface has it
@@ -60,7 +60,7 @@ bool read_jpeg(const std::vector<std::uint8_t>& bytes, Picture& picture) {
 
 }  // namespace
 
-Picture read_picture(const std::filesystem::path& file) {
+twin::Picture read_picture(const std::filesystem::path& file) {
   const std::vector<std::uint8_t> bytes = bytes_of(file);
   const auto size = stated_size(bytes);
   if (!size)
@@ -68,7 +68,7 @@ Picture read_picture(const std::filesystem::path& file) {
   if (size->wide == 0 || size->high == 0 || std::uint64_t{size->wide} * size->high > most_pixels)
     refuse(formatted("found a picture of {} x {} pixels in {}, expected 1 to {} pixels", size->wide,
                      size->high, file.string(), most_pixels));
-  Picture picture{static_cast<int>(size->wide), static_cast<int>(size->high), {}};
+  twin::Picture picture{static_cast<int>(size->wide), static_cast<int>(size->high), {}};
   picture.rgb.resize(std::size_t{3} * size->wide * size->high);
   const bool is_png = bytes.front() == 0x89;
   if (!(is_png ? read_png(bytes, picture) : read_jpeg(bytes, picture)))

@@ -12,8 +12,8 @@ bool is_among(const std::string& kind, const std::vector<std::string>& kinds) {
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
-Picture read_as_labelled(const LabelledPicture& labelled) {
-  Picture picture = read_picture(labelled.file);
+twin::Picture read_as_labelled(const LabelledPicture& labelled) {
+  twin::Picture picture = read_picture(labelled.file);
   if (picture.wide != labelled.wide || picture.high != labelled.high)
     refuse(formatted(
         "found {} x {} pixels in {}, but its labels are of {} x {}: the labels are of "

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "fields/base/sha256.h"
 #include "tests/api/perception/plates_for_tests.h"
 #include "tests/support/contains.h"
 #include "tests/support/refusal.h"
@@ -17,7 +18,7 @@ using Arguments = std::vector<std::string>;
 class DetectCommand : public testing::Test {
  protected:
   DetectCommand() {
-    api::Picture rusty = plate(120, 80);
+    twin::Picture rusty = plate(120, 80);
     paint(rusty, 30, 20, 50, 60, rust);
     write_png(made_.file("rusty.png"), rusty);
     write_png(made_.file("clean.png"), plate(120, 80));
@@ -81,6 +82,25 @@ TEST_F(DetectCommand, ScoresAFolderAndSaysWhatItCannot) {
   EXPECT_TRUE(contains(wrong.out, "Not looked for: anode")) << wrong.out;
 }
 
+// OpenCV has words and prints of its own for these, on several lines.
+TEST_F(DetectCommand, ANetworkThatCannotBeReadIsOneLineToo) {
+  for (const std::string& onnx : {std::string("not a network"),
+                                  std::string("\x08\x07\x3a\x05"
+                                              "ab",
+                                              6),
+                                  std::string(3000, '\xff')}) {
+    write_bytes(made_.file("net.onnx"), onnx);
+    const std::string file = made_.write(
+        "net.yaml",
+        "name: n\nsource: s\nby: network\nfile: net.onnx\nsha256: " + sha256_of_text(onnx) +
+            "\nkinds: [a]\ninput: {mean: [0, 0, 0], sd: [1, 1, 1], multiple_of: 8}\n"
+            "grids: [{output: head, stride_px: 8}]\n"
+            "test: {seed: 7, wide: 32, high: 32, heads: [{output: head, at: [0], is: "
+            "[0]}]}\n");
+    expect_refusal(run({made_.path("rusty.png"), "--by", file}), 3, {"net.yaml", "OpenCV"});
+  }
+}
+
 TEST_F(DetectCommand, IsRefusedInOneClearSentence) {
   label("[30, 20, 20, 40]", 121);
   const Arguments by{"--by", "corrosion_by_colour"};
@@ -90,7 +110,7 @@ TEST_F(DetectCommand, IsRefusedInOneClearSentence) {
   };
   expect_refusal(with({"--score", folder(), "--labels", made_.path("labels.json")}), 3,
                  {"120 x 80 pixels", "its labels are of 121 x 80"});
-  expect_refusal(with({}), 2, {"either pictures or --score"});
+  expect_refusal(with({}), 2, {"found neither pictures nor --score", "expected one of them"});
   expect_refusal(with({made_.path("rusty.png"), "--out", "a.json"}), 2, {"--score"});
   expect_refusal(with({made_.path("none.png")}), 4, {"found no file"});
   expect_refusal(run({made_.path("rusty.png"), "--by", "corosion_by_colour"}), 4,

@@ -5,6 +5,7 @@
 #include "api/door/cli/command.h"
 #include "api/door/cli/output_file.h"
 #include "api/door/cli/progress.h"
+#include "api/perception/read_picture.h"
 #include "api/perception/score_detector.h"
 #include "api/program/named_sheet.h"
 #include "fields/base/text.h"
@@ -30,7 +31,7 @@ void detect_in(const std::vector<std::string>& files, Detector& detector, const 
   json out = {{"pictures", json::array()}};
   ProgressBar progress("pictures", context.json);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const Picture picture = read_picture(files[i]);
+    const twin::Picture picture = read_picture(files[i]);
     const std::vector<Detection> found = detector.find(picture);
     progress.update(static_cast<double>(i + 1) / static_cast<double>(files.size()));
     json of_file = {{"file", files[i]},
@@ -154,9 +155,15 @@ void add_detect(CLI::App& app, Context& context) {
                       "with --score: the finds as FILE.json of COCO results");
   command->callback([arguments, &context] {
     if (arguments->files.empty() == arguments->score.empty())
-      throw Error(ErrorKind::usage, "expected either pictures or --score FOLDER");
+      throw Error(ErrorKind::usage,
+                  std::string(arguments->files.empty() ? "found neither pictures nor"
+                                                       : "found both pictures and") +
+                      " --score FOLDER, expected one of them: pictures to look at, or "
+                      "a folder with labels to be held against");
     if (arguments->score.empty() && !(arguments->out.empty() && arguments->labels.empty()))
-      throw Error(ErrorKind::usage, "found --out or --labels without --score FOLDER");
+      throw Error(ErrorKind::usage,
+                  "found --out or --labels without --score FOLDER, to which they belong: add it, "
+                  "or take --json for what is found in single pictures");
     expect_output("--out", arguments->out, {".json"});
     const auto detector = load_detector(arguments->by);
     if (arguments->score.empty()) {

@@ -12,8 +12,8 @@ namespace slackwater::tests::classical_detectors_test {
 namespace {
 
 using api::Detection;
-using api::Picture;
 using api::PixelBox;
+using twin::Picture;
 
 std::vector<Detection> found_by(const char* detector, const Picture& picture) {
   return api::load_detector(detector)->find(picture);

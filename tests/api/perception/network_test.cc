@@ -17,8 +17,8 @@
 namespace slackwater::tests::network_test {
 namespace {
 
-using api::Picture;
 using api::PixelBox;
+using twin::Picture;
 
 /// 10 (red - blue) - 5 is the logit of rust, with red and blue from 0 to 1; boxes reach one stride
 /// to the left and above, two to the right and below.

@@ -1,4 +1,4 @@
-#include "api/perception/picture.h"
+#include "api/perception/read_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -27,11 +27,11 @@ std::vector<std::uint8_t> bytes_of(const std::string& text) { return {text.begin
 
 TEST(ReadPicture, HasTheBytesThatWereWritten) {
   const TemporaryFolder folder;
-  api::Picture picture = plate(7, 3);
+  twin::Picture picture = plate(7, 3);
   for (std::size_t i = 0; i < picture.rgb.size(); ++i)
     picture.rgb[i] = static_cast<std::uint8_t>(37 * i);
   write_png(folder / "a.png", picture);
-  const api::Picture read = read_picture(folder / "a.png");
+  const twin::Picture read = read_picture(folder / "a.png");
   EXPECT_EQ(read.wide, 7);
   EXPECT_EQ(read.high, 3);
   EXPECT_EQ(read.rgb, picture.rgb);
@@ -40,10 +40,10 @@ TEST(ReadPicture, HasTheBytesThatWereWritten) {
 
 TEST(ReadPicture, ReadsAJpegAndSaysWhereItIsCut) {
   const TemporaryFolder folder;
-  api::Picture picture = plate(64, 40);
+  twin::Picture picture = plate(64, 40);
   paint(picture, 0, 0, 32, 40, rust);
   write_jpeg(folder / "a.jpg", picture);
-  const api::Picture read = read_picture(folder / "a.jpg");
+  const twin::Picture read = read_picture(folder / "a.jpg");
   ASSERT_EQ(read.wide, 64);
   ASSERT_EQ(read.high, 40);
   for (std::size_t c = 0; c < 3; ++c) {

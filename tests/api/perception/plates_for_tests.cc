@@ -27,14 +27,14 @@ std::string chunk(const std::string& type, const std::string& data) {
 
 }  // namespace
 
-api::Picture plate(int wide, int high, const Colour& colour) {
-  api::Picture picture{wide, high, {}};
+twin::Picture plate(int wide, int high, const Colour& colour) {
+  twin::Picture picture{wide, high, {}};
   picture.rgb.resize(static_cast<std::size_t>(3 * wide * high));
   paint(picture, 0, 0, wide, high, colour);
   return picture;
 }
 
-void paint(api::Picture& picture, int left, int top, int right, int bottom, const Colour& colour) {
+void paint(twin::Picture& picture, int left, int top, int right, int bottom, const Colour& colour) {
   for (int row = top; row < bottom; ++row)
     for (int column = left; column < right; ++column)
       for (int c = 0; c < 3; ++c)
@@ -42,7 +42,7 @@ void paint(api::Picture& picture, int left, int top, int right, int bottom, cons
             colour[static_cast<std::size_t>(c)];
 }
 
-void write_png(const std::filesystem::path& file, const api::Picture& picture) {
+void write_png(const std::filesystem::path& file, const twin::Picture& picture) {
   std::string rows;
   const auto width = static_cast<std::size_t>(3 * picture.wide);
   for (int row = 0; row < picture.high; ++row) {
@@ -62,7 +62,7 @@ void write_png(const std::filesystem::path& file, const api::Picture& picture) {
       << chunk("IHDR", head) << chunk("IDAT", packed) << chunk("IEND", "");
 }
 
-void write_jpeg(const std::filesystem::path& file, const api::Picture& picture) {
+void write_jpeg(const std::filesystem::path& file, const twin::Picture& picture) {
   const tjhandle encoder = tjInitCompress();
   unsigned char* bytes = nullptr;
   unsigned long size = 0;  // NOLINT: as the library's interface has it

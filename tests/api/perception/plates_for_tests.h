@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "api/perception/picture.h"
+#include "api/perception/read_picture.h"
 
 // Plates with known things on them.
 
@@ -14,13 +14,13 @@ using Colour = std::array<std::uint8_t, 3>;
 inline constexpr Colour steel{150, 155, 160};
 inline constexpr Colour rust{150, 80, 30};
 
-[[nodiscard]] api::Picture plate(int wide, int high, const Colour& colour = steel);
+[[nodiscard]] twin::Picture plate(int wide, int high, const Colour& colour = steel);
 /// Columns from `left` up to and without `right`, rows likewise.
-void paint(api::Picture& picture, int left, int top, int right, int bottom, const Colour& colour);
+void paint(twin::Picture& picture, int left, int top, int right, int bottom, const Colour& colour);
 
 /// By zlib, after the standard's text: not by the library that reads it.
-void write_png(const std::filesystem::path& file, const api::Picture& picture);
+void write_png(const std::filesystem::path& file, const twin::Picture& picture);
 /// With so little loss that a plain colour is right to a level or two.
-void write_jpeg(const std::filesystem::path& file, const api::Picture& picture);
+void write_jpeg(const std::filesystem::path& file, const twin::Picture& picture);
 
 }  // namespace slackwater::tests
