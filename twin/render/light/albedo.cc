@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fields/base/random.h"
+#include "twin/render/light/growth.h"
 
 namespace slackwater::twin {
 namespace {
@@ -58,14 +59,20 @@ double one_octave(const Triple<double>& p, std::uint64_t seed) noexcept {
   return near + w * (far - near);
 }
 
-/// 0 below `from`, 1 above `to`.
-double step_between(double from, double to, double x) noexcept {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 Bands mixed(const Bands& a, const Bands& b, double share) noexcept {
   return {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])};
+}
+
+/// How a weld changes what the steel throws back: bright by its ripples, dark along its toes.
+double share_at_weld(SeenClass seen, const Triple<double>& at_m, std::uint64_t seed) noexcept {
+  if (seen != SeenClass::monopile && seen != SeenClass::transition_piece &&
+      seen != SeenClass::tower)
+    return 1;
+  constexpr double can_m = 3, half_m = 0.012, toe_m = 0.003;
+  const double off_m = std::abs(at_m.z - can_m * std::round(at_m.z / can_m));
+  if (off_m > half_m) return 1;
+  if (off_m > half_m - toe_m) return 0.45;
+  return 0.8 + 0.5 * value_noise(at_m, 0.008, split_mix_64(seed ^ 0x3E1D));
 }
 
 Material material_of(DefectKind kind) noexcept {
@@ -112,20 +119,25 @@ Bands albedo_of(Material material, const Triple<double>& at_m, std::uint64_t see
                step_between(0.3, 0.7, value_noise(at_m, look.length_m, own)));
 }
 
+double step_between(double from, double to, double x) noexcept {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 Bands albedo_at(const SeenThing& thing, const DefectMark* mark, const Triple<double>& at_m,
-                std::uint64_t seed) noexcept {
+                double growth, std::uint64_t seed) noexcept {
   if (mark != nullptr) return albedo_of(material_of(mark->kind), at_m, seed);
-  const Bands own = albedo_of(thing.material, at_m, seed);
-  const bool is_grown = thing.material == Material::steel ||
-                        thing.material == Material::yellow_paint ||
-                        thing.material == Material::anode;
-  constexpr double deepest_m = 20, blotch_m = 0.7;
-  if (!is_grown || !(at_m.z > 0) || at_m.z > deepest_m) return own;
-  const double bare = 0.45 + 0.2 * at_m.z / deepest_m;
-  const double grown =
-      step_between(bare, bare + 0.12, value_noise(at_m, blotch_m, split_mix_64(seed ^ 0x6707)));
-  if (!(grown > 0)) return own;
-  return mixed(own, albedo_of(Material::growth, at_m, seed), grown);
+  Bands own = albedo_of(thing.material, at_m, seed);
+  const bool is_painted = thing.material == Material::yellow_paint;
+  if (thing.material == Material::steel || is_painted || thing.material == Material::grey_paint) {
+    const double left = share_at_weld(thing.seen_class, at_m, seed);
+    for (double& one : own) one *= left;
+  }
+  const bool is_grown =
+      thing.material == Material::steel || is_painted || thing.material == Material::anode;
+  if (!is_grown) return own;
+  const Growth grown = growth_at(at_m, growth, seed);
+  return grown.share > 0 ? mixed(own, grown.albedo, grown.share) : own;
 }
 
 }  // namespace slackwater::twin

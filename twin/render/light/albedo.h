@@ -21,10 +21,16 @@ namespace slackwater::twin {
                               std::uint64_t seed) noexcept;
 
 /// The same of a place of a thing: where it shows a defect, that of rust, growth, a gap, ... ; on
-/// steel and yellow paint under water, patches of growth between 0 and 20 m of depth, denser
-/// towards the surface (a stand-in: the run plans none there, so no mark counts it).
-/// @param mark  that holds the place; null: none
+/// steel, anodes and yellow paint under water what has grown there (growth.h); on the steel of
+/// piles, transition pieces and towers a weld all round each 3 m (the height of a can, an
+/// estimate), 24 mm wide, dark along its toes.
+/// @param mark    that holds the place; null: none
+/// @param growth  how much is overgrown, 0 to 1
 [[nodiscard]] Bands albedo_at(const SeenThing& thing, const DefectMark* mark,
-                              const Triple<double>& at_m, std::uint64_t seed) noexcept;
+                              const Triple<double>& at_m, double growth,
+                              std::uint64_t seed) noexcept;
+
+/// 0 below `from`, 1 above `to`, smooth between.
+[[nodiscard]] double step_between(double from, double to, double x) noexcept;
 
 }  // namespace slackwater::twin

@@ -109,7 +109,7 @@ class Painter {
     const DefectMark* mark = nullptr;
     for (const DefectMark* one : marks_[hits_.mesh[pixel]])
       if (one->holds(at_m)) mark = one;
-    const Bands albedo = albedo_at(thing, mark, at_m, lighting_.seed);
+    const Bands albedo = albedo_at(thing, mark, at_m, lighting_.growth, lighting_.seed);
     const double facing = faces_day(at_m, n, face);
     Bands light{};
     for (std::size_t k = 0; k < light.size(); ++k) light[k] = facing * day(at_m, k);

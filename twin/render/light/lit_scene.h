@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "twin/inspection/cast/ray_caster.h"
+#include "twin/render/light/growth.h"
 #include "twin/render/light/water_type.h"
 #include "twin/render/scene/render_scene.h"
 
@@ -56,7 +57,8 @@ struct Lighting {
   Sky sky;
   std::vector<Lamp> lamps;
   Shadows shadows;
-  std::uint64_t seed = 0;  ///< of materials
+  double growth = usual_growth;  ///< how much steel under water is overgrown (growth.h)
+  std::uint64_t seed = 0;        ///< of materials
 };
 
 }  // namespace slackwater::twin
