@@ -39,10 +39,17 @@ struct DefectMark {
   [[nodiscard]] bool holds(const Triple<double>& at_m) const noexcept;
 };
 
-/// The marks of planted defects. The longest side of an outline is the defect's size; how wide it
+/// The mark of a planted defect. The longest side of an outline is the defect's size; how wide it
 /// is and which way it lies are drawn from (seed, number) and stand for what the plan does not
 /// say: a crack is 1 in 40 as wide as long (at least 1 mm), a fastener's hole round, others 0.4 to
 /// 0.9 as wide as long. Erosion lies along the blade, scour and loss of burial along their sheet.
+/// @param defect  its surface and patch are not looked at
+/// @param thing   by its place in the scene
+/// @param normal  unit, outward, at its centre
+[[nodiscard]] DefectMark mark_of(const Defect& defect, std::size_t thing,
+                                 const Triple<double>& centre_m, const Triple<double>& normal,
+                                 std::uint64_t seed);
+/// The same of many, in the middle of their patches.
 /// @param thing_of  place in the scene of each of the surfaces
 [[nodiscard]] std::vector<DefectMark> marks_of(const std::vector<Defect>& defects,
                                                const std::vector<Surface>& surfaces,
