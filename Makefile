@@ -62,6 +62,7 @@ soak: test-packages venv
 	tests/soak/morning build/release/api/slackwater build/soak-demo/store
 	tests/soak/desk build/release/api/slackwater build/soak-demo/store build/node
 	tests/soak/learn build/release/api/slackwater || [ $$? -eq 77 ]
+	tests/soak/learn_looks build/release/api/slackwater || [ $$? -eq 77 ]
 	tests/soak/five-products build/release/api/slackwater build/soak-demo/store \
 	  build/release/tests/slackwater_made_up_products build/node
 	$(MAKE) fuzz

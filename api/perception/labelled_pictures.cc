@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -76,6 +77,45 @@ fs::path picture_file(const fs::path& folder, const std::string& name, const std
   return !fs::exists(folder / relative) && fs::exists(in_images) ? in_images : folder / relative;
 }
 
+double number_of(const json& one, const char* key, const std::string& what) {
+  const auto found = one.is_object() ? one.find(key) : one.end();
+  if (found == one.end() || !found->is_number())
+    refuse(formatted("{}: found no number {}", what, key));
+  return found->get<double>();
+}
+
+PlantedInLook planted_of(const json& one, const std::string& what) {
+  PlantedInLook planted;
+  planted.of = text_of(one, "kind", what);
+  planted.size_m = number_of(one, "size_m", what);
+  if (!(planted.size_m > 0))
+    refuse(formatted("{}: found size_m {:g}, expected more than 0", what, planted.size_m));
+  planted.ground_sampling_m = number_of(one, "ground_sampling_m", what);
+  const auto detail = one.find("detail_m");
+  planted.detail_m = detail != one.end() && detail->is_null()
+                         ? std::numeric_limits<double>::infinity()
+                         : number_of(one, "detail_m", what);
+  const auto centre = one.find("centre_px");
+  if (centre == one.end() || !centre->is_array() || centre->size() != 2 ||
+      !centre->at(0).is_number() || !centre->at(1).is_number())
+    refuse(what + ": found no centre_px, expected [u, v] in pixels");
+  planted.u = centre->at(0).get<double>();
+  planted.v = centre->at(1).get<double>();
+  return planted;
+}
+
+std::optional<LookFacts> look_of(const json& one, const std::string& what) {
+  const auto found = one.find("look");
+  if (found == one.end() || !found->is_object()) return std::nullopt;
+  LookFacts look{number_of(*found, "range_m", what),
+                 number_of(*found, "visibility_m", what),
+                 number_of(*found, "seen_m2", what),
+                 {}};
+  for (const json& planted : list_of(*found, "planted"))
+    look.planted.push_back(planted_of(planted, what + ", planted"));
+  return look;
+}
+
 LabelledPicture picture_of(const json& one, const fs::path& folder, const std::string& what) {
   LabelledPicture picture;
   picture.id = id_of(one, "id", what);
@@ -85,6 +125,7 @@ LabelledPicture picture_of(const json& one, const fs::path& folder, const std::s
     refuse(formatted("{}: found {} x {} pixels", what, wide, high));
   picture.wide = static_cast<int>(wide);
   picture.high = static_cast<int>(high);
+  picture.look = look_of(one, what);
   return picture;
 }
 
@@ -116,6 +157,16 @@ bool is_crowd(const json& one, const std::string& what) {
   return found->get<std::int64_t>() != 0;
 }
 
+std::optional<std::size_t> planted_place(const json& one, const LabelledPicture& picture,
+                                         const std::string& what) {
+  if (!picture.look) return std::nullopt;
+  const std::int64_t place = id_of(one, "planted_number", what);
+  const auto many = static_cast<std::int64_t>(picture.look->planted.size());
+  if (place < 0 || place >= many)
+    refuse(formatted("{}: found planted_number {}, but the look planted {}", what, place, many));
+  return static_cast<std::size_t>(place);
+}
+
 LabelledPictures set_of(const json& read, const fs::path& folder) {
   LabelledPictures set;
   std::map<std::int64_t, std::string> names;
@@ -141,7 +192,8 @@ LabelledPictures set_of(const json& read, const fs::path& folder) {
     if (picture == places.end() || name == names.end())
       refuse(what + ": found a picture or category that is not listed");
     LabelledPicture& of = set.pictures[picture->second];
-    of.labels.push_back({name->second, box_of(one, of, what), is_crowd(one, what)});
+    of.labels.push_back(
+        {name->second, box_of(one, of, what), is_crowd(one, what), planted_place(one, of, what)});
   }
   if (set.pictures.empty()) refuse("found no pictures in the list images");
   return set;

@@ -8,6 +8,8 @@
 #include "api/perception/read_picture.h"
 #include "api/perception/score_detector.h"
 #include "api/program/named_sheet.h"
+#include "api/show/perception/detection_sheet.h"
+#include "api/show/perception/detector_told.h"
 #include "fields/base/text.h"
 #include "fields/base/whole_file.h"
 
@@ -15,6 +17,15 @@ namespace slackwater::api {
 namespace {
 
 using nlohmann::json;
+
+struct DetectArguments {
+  std::vector<std::string> files;
+  std::string by;
+  std::filesystem::path score;
+  std::filesystem::path labels;
+  std::filesystem::path out;
+  std::filesystem::path pod;
+};
 
 std::string dumped(const json& value) {
   return value.dump(2, ' ', false, json::error_handler_t::replace);
@@ -51,22 +62,6 @@ void detect_in(const std::vector<std::string>& files, Detector& detector, const 
   if (context.json) std::printf("%s\n", dumped(out).c_str());
 }
 
-json share_json(const std::optional<double>& share) { return share ? json(*share) : json(); }
-
-json kind_json(const KindScore& kind) {
-  json ap;
-  if (kind.average_precision)
-    ap = {{"value", kind.average_precision->share},
-          {"interval_95", {kind.average_precision->low, kind.average_precision->high}}};
-  return {{"of", kind.of},
-          {"labels", kind.labels},
-          {"found", kind.found},
-          {"ap50", ap},
-          {"recall", share_json(kind.recall)},
-          {"precision", share_json(kind.precision)},
-          {"false_alarms_per_100_empty_pictures", share_json(kind.false_alarms_per_100)}};
-}
-
 /// As the tools of COCO read results.
 json results_json(const DetectorScore& score, const LabelledPictures& set) {
   json results = json::array();
@@ -84,61 +79,53 @@ json results_json(const DetectorScore& score, const LabelledPictures& set) {
   return results;
 }
 
-void print_score(const DetectorScore& score) {
-  const auto percent = [](const std::optional<double>& share) {
-    return share ? formatted("{:.0f} %", 100 * *share) : std::string("-");
-  };
-  std::printf("%s\n", counted(score.pictures.size(), "picture").c_str());
-  std::printf("%-14s %7s %7s  %-22s %7s %10s  %s\n", "kind", "labels", "finds",
-              "AP50 (95 of 100 sets)", "recall", "precision",
-              "false alarms in 100 pictures without a label");
-  for (const KindScore& kind : score.kinds) {
-    const std::string ap =
-        kind.average_precision
-            ? formatted("{:.3f} ({:.3f} to {:.3f})", kind.average_precision->share,
-                        kind.average_precision->low, kind.average_precision->high)
-            : "-";
-    std::printf("%-14s %7zu %7zu  %-22s %7s %10s  %s\n", kind.of.c_str(), kind.labels, kind.found,
-                ap.c_str(), percent(kind.recall).c_str(), percent(kind.precision).c_str(),
-                kind.false_alarms_per_100 ? formatted("{:.1f}", *kind.false_alarms_per_100).c_str()
-                                          : "- (all pictures have labels)");
-  }
-  if (!score.only_labels.empty())
-    std::printf("Not looked for: %s: the detector does not know them.\n",
-                joined(score.only_labels, ", ").c_str());
-  if (!score.only_finds.empty())
-    std::printf("Not scored: %s: no label is of them.\n", joined(score.only_finds, ", ").c_str());
+/// A sheet for each curve, KIND_by_DETECTOR.yaml.
+void write_sheets(const std::vector<MeasuredPod>& pods, const std::string& detector,
+                  const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem)
+    throw Error(ErrorKind::unavailable,
+                "--pod: cannot make the folder " + folder.string() + ": " + problem.message());
+  const std::string stem = std::filesystem::path(detector).stem().string();
+  for (const MeasuredPod& pod : pods)
+    if (pod.fit)
+      write_text(folder / formatted("{}_by_{}.yaml", twin::name_of(pod.kind), stem),
+                 detection_sheet(pod, stem));
 }
 
-void score_on(const std::filesystem::path& folder, const std::filesystem::path& labels,
-              Detector& detector, const std::filesystem::path& out, const Context& context) {
-  const LabelledPictures set = read_labelled_pictures(folder, labels);
+void score_on(const DetectArguments& arguments, Detector& detector, const Context& context) {
+  const LabelledPictures set = read_labelled_pictures(arguments.score, arguments.labels);
   ProgressBar progress("pictures", context.json);
   const DetectorScore score = score_detector(detector, set, [&](std::size_t done) {
     progress.update(static_cast<double>(done) / static_cast<double>(set.pictures.size()));
   });
-  if (!out.empty()) write_text(out, dumped(results_json(score, set)) + "\n");
-  if (!context.json) return print_score(score);
-  json kinds = json::array();
-  for (const KindScore& kind : score.kinds) kinds.push_back(kind_json(kind));
-  std::printf("%s\n", dumped({{"pictures", score.pictures.size()},
-                              {"kinds", kinds},
-                              {"not_looked_for", score.only_labels},
-                              {"not_scored", score.only_finds}})
-                          .c_str());
+  std::vector<MeasuredPod> pods;
+  if (!arguments.pod.empty()) pods = measure_pod(score, set);
+  const std::vector<BandScore> bands = score_by_band(score, set);
+  if (!arguments.out.empty()) write_text(arguments.out, dumped(results_json(score, set)) + "\n");
+  if (!arguments.pod.empty()) write_sheets(pods, arguments.by, arguments.pod);
+  if (!context.json) {
+    std::printf("%s%s", words_of(score).c_str(), words_of(bands).c_str());
+    if (!pods.empty()) std::printf("%s", words_of(pods).c_str());
+    return;
+  }
+  json out = {{"pictures", score.pictures.size()},
+              {"kinds", json::array()},
+              {"not_looked_for", score.only_labels},
+              {"not_scored", score.only_finds}};
+  for (const KindScore& kind : score.kinds) out["kinds"].push_back(json_of(kind));
+  if (!bands.empty()) out["thirds"] = json::array();
+  for (const BandScore& band : bands) out["thirds"].push_back(json_of(band));
+  if (!pods.empty()) out["pod"] = json::array();
+  for (const MeasuredPod& pod : pods) out["pod"].push_back(json_of(pod));
+  std::printf("%s\n", dumped(out).c_str());
 }
 
 }  // namespace
 
 void add_detect(CLI::App& app, Context& context) {
-  struct Arguments {
-    std::vector<std::string> files;
-    std::string by;
-    std::filesystem::path score;
-    std::filesystem::path labels;
-    std::filesystem::path out;
-  };
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<DetectArguments>();
   CLI::App* command = app.add_subcommand(
       "detect", "What a detector finds in pictures, and how well it does on labelled ones");
   command->add_option("picture", arguments->files, "PNG or JPEG files");
@@ -153,6 +140,9 @@ void add_detect(CLI::App& app, Context& context) {
                       "the labels, where the folder has several JSON files");
   command->add_option("--out", arguments->out,
                       "with --score: the finds as FILE.json of COCO results");
+  command->add_option("--pod", arguments->pod,
+                      "with --score of a stage's looks: the probability of detection by size, a "
+                      "file for data/detection for each kind in this FOLDER");
   command->callback([arguments, &context] {
     if (arguments->files.empty() == arguments->score.empty())
       throw Error(ErrorKind::usage,
@@ -160,16 +150,18 @@ void add_detect(CLI::App& app, Context& context) {
                                                        : "found both pictures and") +
                       " --score FOLDER, expected one of them: pictures to look at, or "
                       "a folder with labels to be held against");
-    if (arguments->score.empty() && !(arguments->out.empty() && arguments->labels.empty()))
+    if (arguments->score.empty() &&
+        !(arguments->out.empty() && arguments->labels.empty() && arguments->pod.empty()))
       throw Error(ErrorKind::usage,
-                  "found --out or --labels without --score FOLDER, to which they belong: add it, "
+                  "found --out, --labels or --pod without --score FOLDER, to which they belong: "
+                  "add it, "
                   "or take --json for what is found in single pictures");
     expect_output("--out", arguments->out, {".json"});
     const auto detector = load_detector(arguments->by);
     if (arguments->score.empty()) {
       detect_in(arguments->files, *detector, context);
     } else {
-      score_on(arguments->score, arguments->labels, *detector, arguments->out, context);
+      score_on(*arguments, *detector, context);
     }
   });
 }

@@ -4,8 +4,11 @@
 #include <string>
 
 #include "api/ask/render/rendered_run.h"
+#include "twin/render/stage/staged_look.h"
 
 namespace slackwater::api {
+
+struct PixelMask;
 
 /// What is in a row of pictures, as COCO labels it (cocodataset.org, "instances"): so that
 /// `slackwater detect --score` and other people's tools read the folder as it is.
@@ -21,9 +24,19 @@ class PictureLabels {
   PictureLabels();
   /// @param file  of the picture, in the folder of the labels. Not of a camera: adds nothing
   void add(const RenderView& view, const std::string& file);
+  /// The same of a look at a stage. Its image has a key of ours, `look`: how it came about
+  /// (range_m, off_square_deg, depth_m, visibility_m, daylight, lamps, growth, water), the surface
+  /// in view (seen_m2), the camera matrix, where the camera was and how it was turned (x east, y
+  /// north, z up), and `planted`: each defect, seen or not, with kind, size_m, width_m, range_m,
+  /// detail_m (null: not seen), contrast, light, centre_px and pixels.
+  void add(const twin::StagedLook& look, const std::string& file);
   [[nodiscard]] const nlohmann::json& coco() const noexcept { return set_; }
 
  private:
+  nlohmann::json& add_image(const twin::TruthFrame& truth, const std::string& file);
+  void add_annotation(twin::DefectKind kind, const PixelMask& mask, const twin::TruthFrame& truth,
+                      std::uint32_t number);
+
   nlohmann::json set_;
 };
 

@@ -1,0 +1,92 @@
+// `stage`, and `detect --score --pod` on what it leaves: from looks to a curve that an inspection
+// goes by.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "fields/base/config.h"
+#include "tests/support/contains.h"
+#include "tests/support/store_for_tests.h"
+#include "twin/inspection/defect/detection_method.h"
+
+namespace slackwater::tests::cli_stage_test {
+namespace {
+
+using nlohmann::json;
+
+class StageCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    made_ = std::make_unique<StoreForTests>();
+    const ProgramResult staged =
+        made_->run({"stage", "pile_by_rov", "--looks", "40", "--seed", "5", "--threads", "2",
+                    "--out", made_->path("looks"), "--json"});
+    ASSERT_EQ(staged.exit_code, 0) << staged.err;
+    told_ = json::parse(staged.out);
+  }
+  static void TearDownTestSuite() { made_.reset(); }
+  static json labels() { return json::parse(read_bytes(made_->file("looks/labels.json"))); }
+
+  static inline std::unique_ptr<StoreForTests> made_;
+  static inline json told_;
+};
+
+TEST_F(StageCommand, LeavesPicturesLabelsAndACard) {
+  const json set = labels();
+  EXPECT_EQ(set.at("images").size(), 40U);
+  EXPECT_GT(set.at("annotations").size(), 20U);
+  std::size_t planted = 0;
+  for (const json& image : set.at("images")) {
+    EXPECT_TRUE(
+        std::filesystem::exists(made_->path("looks/" + image.at("file_name").get<std::string>())));
+    planted += image.at("look").at("planted").size();
+  }
+  EXPECT_EQ(told_.at("planted"), planted);
+  const std::string card = read_bytes(made_->file("looks/README.md"));
+  EXPECT_TRUE(contains(card, "| visibility | 2 to 15 m |")) << card;
+  EXPECT_TRUE(contains(card, "40 rendered pictures")) << card;
+}
+
+TEST_F(StageCommand, TheSameSeedIsTheSameBytes) {
+  ASSERT_EQ(made_
+                ->run({"stage", "pile_by_rov", "--looks", "3", "--seed", "5", "--out",
+                       made_->path("again")})
+                .exit_code,
+            0);
+  EXPECT_EQ(read_bytes(made_->file("again/look_000002.png")),
+            read_bytes(made_->file("looks/look_000002.png")));
+}
+
+TEST_F(StageCommand, ADetectorsCurveIsOneThatAnInspectionReads) {
+  const ProgramResult scored =
+      made_->run({"detect", "--score", made_->path("looks"), "--by", "corrosion_by_colour", "--pod",
+                  made_->path("pod"), "--json"});
+  ASSERT_EQ(scored.exit_code, 0) << scored.err;
+  const json out = json::parse(scored.out);
+  EXPECT_EQ(out.at("thirds").size(), 6U);  // of range and of visibility, three each
+  const json& pod = out.at("pod").at(0);
+  EXPECT_EQ(pod.at("kind"), "corrosion");
+  EXPECT_GT(pod.at("looked_for"), 15);
+  ASSERT_FALSE(pod.at("x0_m").is_null());
+  const auto method = twin::read_detection_method(
+      Config::load(made_->path("pod/corrosion_by_corrosion_by_colour.yaml")));
+  EXPECT_EQ(method.status, "estimate");
+  const auto& curve = std::get<twin::LogLogisticPod>(method.curve);
+  EXPECT_NEAR(curve.x0, pod.at("x0_m").at("value").get<double>(), 1e-3 * curve.x0);
+}
+
+TEST_F(StageCommand, RefusesInOneLine) {
+  const ProgramResult unknown =
+      made_->run({"stage", "pile_by_rof", "--looks", "3", "--out", made_->path("none")});
+  EXPECT_NE(unknown.exit_code, 0);
+  EXPECT_TRUE(contains(unknown.err, "pile_by_rov")) << unknown.err;
+  EXPECT_FALSE(std::filesystem::exists(made_->path("none")));
+  const ProgramResult alone = made_->run({"detect", made_->path("looks/look_000000.png"), "--by",
+                                          "corrosion_by_colour", "--pod", made_->path("none")});
+  EXPECT_NE(alone.exit_code, 0);
+  EXPECT_TRUE(contains(alone.err, "--score")) << alone.err;
+}
+
+}  // namespace
+}  // namespace slackwater::tests::cli_stage_test
