@@ -34,6 +34,11 @@ double angle_between(double a, double b, double share) {
 
 }  // namespace
 
+twin::Carriage carriage_of(const PoseRow& row) noexcept {
+  const twin::Rotation<double> attitude = twin::rotation_of(twin::attitude_of(row.turned));
+  return {row.position_m, attitude, attitude.to_ned(row.velocity_m_s), row.rates_rad_s};
+}
+
 LoggedPoses::LoggedPoses(const ingest::TrajectoryFile& log) : t_s_(log.t_s), log_(&log) {
   if (t_s_.empty() || log.names.empty())
     throw Error(ErrorKind::invalid_input,
@@ -42,7 +47,7 @@ LoggedPoses::LoggedPoses(const ingest::TrajectoryFile& log) : t_s_(log.t_s), log
   for (const char* name : {"velocity_body", "rate_body"}) (void)column(log, name, 3);
 }
 
-std::optional<LoggedPoses::Row> LoggedPoses::row(std::size_t vehicle, std::size_t at) const {
+std::optional<PoseRow> LoggedPoses::row(std::size_t vehicle, std::size_t at) const {
   const auto value = [&](std::string_view name, std::size_t per = 1, std::size_t i = 0) {
     return log_->find(name)->values[(vehicle * t_s_.size() + at) * per + i];
   };
@@ -50,7 +55,7 @@ std::optional<LoggedPoses::Row> LoggedPoses::row(std::size_t vehicle, std::size_
     const auto or_zero = [](double x) { return std::isfinite(x) ? x : 0; };
     return {or_zero(value(name, 3, 0)), or_zero(value(name, 3, 1)), or_zero(value(name, 3, 2))};
   };
-  Row row;
+  PoseRow row;
   row.position_m = {value("y"), value("x"), -value("z")};
   row.turned = {value("roll"), value("pitch"), value("yaw")};
   if (!std::isfinite(row.position_m.x + row.position_m.y + row.position_m.z + row.turned.roll_rad +
@@ -67,7 +72,7 @@ std::optional<twin::Carriage> LoggedPoses::at(std::size_t vehicle, double t_s) c
   const std::size_t from = after == 0 ? 0 : after - 1;
   const auto a = row(vehicle, from);
   if (!a) return std::nullopt;
-  Row now = *a;
+  PoseRow now = *a;
   if (after < t_s_.size() && after > 0 && t_s > t_s_[from]) {
     const auto b = row(vehicle, after);
     if (!b) return std::nullopt;
@@ -79,9 +84,7 @@ std::optional<twin::Carriage> LoggedPoses::at(std::size_t vehicle, double t_s) c
     now.velocity_m_s = between(a->velocity_m_s, b->velocity_m_s, share);
     now.rates_rad_s = between(a->rates_rad_s, b->rates_rad_s, share);
   }
-  const twin::Rotation<double> attitude = twin::rotation_of(twin::attitude_of(now.turned));
-  return twin::Carriage{now.position_m, attitude, attitude.to_ned(now.velocity_m_s),
-                        now.rates_rad_s};
+  return carriage_of(now);
 }
 
 }  // namespace slackwater::api

@@ -7,6 +7,15 @@
 
 namespace slackwater::api {
 
+/// What a row of a log says of where a vehicle was.
+struct PoseRow {
+  twin::Triple<double> position_m;  ///< NED
+  twin::EulerAngles turned;
+  twin::Triple<double> velocity_m_s;  ///< body axes
+  twin::Triple<double> rates_rad_s;   ///< body axes
+};
+[[nodiscard]] twin::Carriage carriage_of(const PoseRow& row) noexcept;
+
 /// Where the vehicles of a log were.
 class LoggedPoses {
  public:
@@ -21,13 +30,7 @@ class LoggedPoses {
   [[nodiscard]] std::optional<twin::Carriage> at(std::size_t vehicle, double t_s) const;
 
  private:
-  struct Row {
-    twin::Triple<double> position_m;  ///< NED
-    twin::EulerAngles turned;
-    twin::Triple<double> velocity_m_s;  ///< body axes
-    twin::Triple<double> rates_rad_s;   ///< body axes
-  };
-  [[nodiscard]] std::optional<Row> row(std::size_t vehicle, std::size_t row) const;
+  [[nodiscard]] std::optional<PoseRow> row(std::size_t vehicle, std::size_t row) const;
 
   std::vector<double> t_s_;
   const ingest::TrajectoryFile* log_;
