@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ingest/cf/trajectory_file.h"
+#include "twin/body/body.h"
 #include "twin/inspection/instrument/pose.h"
 
 namespace slackwater::api {
@@ -15,6 +16,10 @@ struct PoseRow {
   twin::Triple<double> rates_rad_s;   ///< body axes
 };
 [[nodiscard]] twin::Carriage carriage_of(const PoseRow& row) noexcept;
+/// The same of a vehicle now, to the bit as the row that a log would have of it. Nothing where it
+/// has come to grief: it is nowhere.
+[[nodiscard]] std::optional<twin::Carriage> carriage_as_logged(
+    const twin::BodyState<double>& body) noexcept;
 
 /// Where the vehicles of a log were.
 class LoggedPoses {

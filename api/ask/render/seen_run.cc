@@ -148,38 +148,48 @@ twin::Lighting SeenRun::lighting(const MountedSensor& mounted,
   return lighting;
 }
 
-RenderView SeenRun::look(const MountedSensor& mounted, const SeenMoment& moment) const {
+SeenRun::Sighting SeenRun::sighting(const MountedSensor& mounted, const SeenMoment& moment,
+                                    const twin::EnvironmentSampler& sampler) const {
   expects(moment.vehicles.size() == names_.size(), "a moment has a place for each vehicle");
   expects(moment.vehicles[mounted.vehicle].has_value(), "the vehicle of a sensor is there");
   const twin::RenderSensor& sensor = mounted.sensor;
   const twin::Carriage& carriage = *moment.vehicles[mounted.vehicle];
+  // Lamps stand on the hull, or turn with the camera that is turned.
+  Sighting sighting{twin::pose_of(sensor, carriage), carriage, {}};
+  if (sensor.is_aimed) {
+    const auto place_m = twin::place_to_look_at(inspections_, ready_.environment->structures,
+                                                sighting.pose.position_m, sensor.most_range_m);
+    if (place_m) {
+      sighting.pose = twin::pose_of(sensor, carriage, *place_m);
+      sighting.lamps_on = turned_with(sighting.pose, sensor);
+    }
+  }
+  const std::vector<twin::SeenVehicle> vehicles = others_than(mounted.vehicle, moment);
+  sighting.scene = twin::scene_of_run({sampler, inspections_, vehicles, scenario_.seed, moment.t_s,
+                                       sighting.pose.position_m, sensor.most_range_m});
+  const double below_m = sighting.pose.position_m.z - sighting.scene.surface_m;
+  twin::expect_in_medium(sensor, below_m > 0,
+                         formatted("{:.2f} m {} the surface, {:g} s after the start",
+                                   std::abs(below_m), below_m > 0 ? "below" : "above", moment.t_s));
+  return sighting;
+}
+
+void SeenRun::expect_sees(const MountedSensor& mounted, const SeenMoment& moment) const {
+  lead_weather(moment);
+  (void)sighting(mounted, moment, twin::EnvironmentSampler(*ready_.environment));
+}
+
+RenderView SeenRun::look(const MountedSensor& mounted, const SeenMoment& moment) const {
+  const twin::RenderSensor& sensor = mounted.sensor;
   const double t_s = moment.t_s;
   lead_weather(moment);
   const twin::EnvironmentSampler sampler(*ready_.environment);
+  const auto [pose, lamps_on, scene] = sighting(mounted, moment, sampler);
 
   RenderView view;
   view.t_s = t_s;
   view.time = ready_.start + std::chrono::milliseconds(std::llround(1000 * t_s));
-  view.pose = twin::pose_of(sensor, carriage);
-  // Lamps stand on the hull, or turn with the camera that is turned.
-  twin::Carriage lamps_on = carriage;
-  if (sensor.is_aimed) {
-    const auto place_m = twin::place_to_look_at(inspections_, ready_.environment->structures,
-                                                view.pose.position_m, sensor.most_range_m);
-    if (place_m) {
-      view.pose = twin::pose_of(sensor, carriage, *place_m);
-      lamps_on = turned_with(view.pose, sensor);
-    }
-  }
-  const std::vector<twin::SeenVehicle> vehicles = others_than(mounted.vehicle, moment);
-  const twin::RenderScene scene =
-      twin::scene_of_run({sampler, inspections_, vehicles, scenario_.seed, t_s,
-                          view.pose.position_m, sensor.most_range_m});
-  const bool is_under_water = view.pose.position_m.z > scene.surface_m;
-  twin::expect_in_medium(sensor, is_under_water,
-                         formatted("{:.2f} m {} the surface, {:g} s after the start",
-                                   std::abs(view.pose.position_m.z - scene.surface_m),
-                                   is_under_water ? "below" : "above", t_s));
+  view.pose = pose;
   for (const twin::SeenThing& thing : scene.things)
     view.things.push_back({thing.name, thing.seen_class});
   for (const twin::DefectMark& mark : scene.marks)

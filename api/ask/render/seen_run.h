@@ -7,6 +7,8 @@
 
 #include "api/ask/render/render_view.h"
 #include "twin/inspection/instrument/pose.h"
+#include "twin/render/light/lit_scene.h"
+#include "twin/render/scene/scene_of_run.h"
 #include "twin/run/command.h"
 #include "twin/run/set_up.h"
 
@@ -50,8 +52,18 @@ class SeenRun {
   /// @throws Error(invalid_input) for a sensor outside its medium; ContractViolation for a vehicle
   ///         that is not there
   [[nodiscard]] RenderView look(const MountedSensor& mounted, const SeenMoment& moment) const;
+  /// @throws as `look`, without the work of one
+  void expect_sees(const MountedSensor& mounted, const SeenMoment& moment) const;
 
  private:
+  /// What is before a sensor.
+  struct Sighting {
+    twin::Pose pose;
+    twin::Carriage lamps_on;
+    twin::RenderScene scene;
+  };
+  [[nodiscard]] Sighting sighting(const MountedSensor& mounted, const SeenMoment& moment,
+                                  const twin::EnvironmentSampler& sampler) const;
   struct Sight {
     twin::Clarity in_water, in_air;
     bool is_stated = false;  ///< by the scenario
