@@ -192,7 +192,8 @@ plan_canvas.after(way.plan_note);
 
 by_id('top').append(top.box);
 by_id('join').append(join.box);
-by_id('chosen').append(helm.box, picture.box, state.box, drive.box, camera.box, way.box, supervise.box);
+by_id('chosen').append(helm.box, picture.box, state.box, drive.box);
+by_id('chosen').append(camera.box, way.box, supervise.box);
 by_id('around').append(table.box, weather.box, people.box, log.box);
 by_id('playback').append(playback.box);
 by_id('orders').append(drive.touch_box, orders.box);

@@ -1,5 +1,5 @@
-// `slackwater live --see` on DDS, heard by a participant as others would write it: with fastddsgen's
-// own types, beside the run, over UDP and through shared memory.
+// `slackwater live --see` on DDS, heard by a participant as others would write it: with
+// fastddsgen's own types, beside the run, over UDP and through shared memory.
 #include <csignal>
 #include <cstring>
 #include <fstream>

@@ -15,7 +15,8 @@ using tests::hex;
 const SensorStamp of{{10, 20}, "rov/rov_camera"};
 
 TEST(BytesOfSensors, CameraInfoCountsFromTheMiddleOfTheFirstPixel) {
-  // 64 degrees over 640 pixels: 320 / tan(32 degrees) = 512.107; ours is (320, 180) from the corner.
+  // 64 degrees over 640 pixels: 320 / tan(32 degrees) = 512.107; the middle is (320, 180) from the
+  // corner.
   const double f = 320 / std::tan(32 * std::acos(-1.0) / 180);
   HandReader read(camera_info(640, 360, {f, 0, 320, 0, f, 180, 0, 0, 1}, of));
   read.expect_header(of.stamp, "rov/rov_camera");
