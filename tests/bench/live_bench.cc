@@ -1,8 +1,9 @@
 // A live run for robots, with its clients as processes of their own: twenty vehicles at 100 Hz with
 // five subscribers and a recording, beside an empty loop and the same run that tells nobody; two
 // hundred with their state at 10 Hz; an agent in lock-step; from a command to the moved state, by
-// thrusters and by cmd_vel; the longest lists of waypoints; a profile to fifty readers. Half a
-// minute of each; SLACKWATER_LIVE_SECONDS=600 for the whole (make soak).
+// thrusters and by cmd_vel; the longest lists of waypoints; a profile to fifty readers; a camera on
+// one of two vehicles. Half a minute of each; SLACKWATER_LIVE_SECONDS=600 for the whole (make
+// soak).
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -68,6 +69,7 @@ struct Ran {
   double wall_s = 0;
   double simulated_s = 0;
   std::uint64_t steps = 0;
+  std::vector<live::SensorTold> seen{};
 };
 
 Ran run(const twin::Scenario& scenario, Live how) {
@@ -85,6 +87,7 @@ Ran run(const twin::Scenario& scenario, Live how) {
   };
   choice.on_over = [&] {
     ran.punctuality = joined->punctuality();
+    ran.seen = joined->end_sensors();
     joined.reset();
   };
   const api::ScenarioResult result = api::run_scenario(scenario, water, choice);
@@ -410,6 +413,57 @@ void profile_to_fifty(BenchReport& report) {
                  "median " + std::to_string(1000 * p.half_s) + " ms"});
 }
 
+/// Two vehicles beside a pile, recorded; one of them has a camera of 640 x 360 at 2 Hz.
+void camera_beside(BenchReport& report) {
+  const double length_s = report.options().check_only ? 3 : seconds_asked(false);
+  twin::Scenario scenario = fleet(2, 0.05, length_s, true);
+  scenario.structures.push_back({.name = "monopile",
+                                 .kind = twin::ScenarioStructure::Kind::cylinder,
+                                 .centre_m = {12, 0, 0},
+                                 .diameter_m = 6,
+                                 .size_m = {},
+                                 .top_m = -20,
+                                 .bottom_m = 60});
+  const tests::TemporaryFolder folder;
+  const auto recording =
+      std::make_shared<live::RecordingOutlet>(folder / "seen.mcap", [](const std::string&) {});
+  Live how;
+  how.settings.sensors = {{"v0", "rov_camera", 2}};
+  how.settings.outlets.push_back(recording);
+  double from_s = -1, to_s = 0;
+  how.also = [&](const api::RunInHand& hand) {
+    hand.run.at_barrier([&](const twin::StepTime&) {
+      to_s = monotonic_s();
+      if (from_s < 0) from_s = to_s;
+    });
+  };
+  const Ran ran = run(scenario, std::move(how));
+  const live::LooksMade& made = ran.seen.at(0).made;
+  const double pace = (ran.simulated_s - scenario.step_s) / (to_s - from_s);
+  report.answer("each picture is seen or counted as left out",
+                made.moments == static_cast<std::uint64_t>(2 * length_s) + 1 && made.looks >= 2 &&
+                    made.moments == made.looks + made.dropped,
+                ran.seen[0].text());
+  report.answer("a run with a camera keeps its pace", pace > 0.95 && pace < 1.05,
+                std::to_string(pace) + " times the clock; " + ran.punctuality.text());
+  report.figure({"two vehicles at 20 Hz, one with a camera at 2 Hz: pace of the run",
+                 "of the clock",
+                 {pace},
+                 std::nullopt,
+                 ran.punctuality.text(),
+                 0.99});
+  report.figure({"the same: pictures left out",
+                 "%",
+                 {100 * static_cast<double>(made.dropped) / static_cast<double>(made.moments)},
+                 1,
+                 ran.seen[0].text()});
+  report.figure({"the same: from a moment to its picture",
+                 "ms",
+                 {1000 * made.mean_s()},
+                 500,
+                 std::to_string(1000 * made.worst_s) + " ms at worst"});
+}
+
 void all(BenchReport& report) {
   twenty_at_100_hz(report);
   two_hundred(report);
@@ -418,6 +472,7 @@ void all(BenchReport& report) {
   velocity_to_moved_state(report);
   long_lists(report);
   profile_to_fifty(report);
+  camera_beside(report);
 }
 
 }  // namespace

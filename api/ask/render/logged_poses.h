@@ -3,9 +3,23 @@
 #include <vector>
 
 #include "ingest/cf/trajectory_file.h"
+#include "twin/body/body.h"
 #include "twin/inspection/instrument/pose.h"
 
 namespace slackwater::api {
+
+/// What a row of a log says of where a vehicle was.
+struct PoseRow {
+  twin::Triple<double> position_m;  ///< NED
+  twin::EulerAngles turned;
+  twin::Triple<double> velocity_m_s;  ///< body axes
+  twin::Triple<double> rates_rad_s;   ///< body axes
+};
+[[nodiscard]] twin::Carriage carriage_of(const PoseRow& row) noexcept;
+/// The same of a vehicle now, to the bit as the row that a log would have of it. Nothing where it
+/// has come to grief: it is nowhere.
+[[nodiscard]] std::optional<twin::Carriage> carriage_as_logged(
+    const twin::BodyState<double>& body) noexcept;
 
 /// Where the vehicles of a log were.
 class LoggedPoses {
@@ -21,13 +35,7 @@ class LoggedPoses {
   [[nodiscard]] std::optional<twin::Carriage> at(std::size_t vehicle, double t_s) const;
 
  private:
-  struct Row {
-    twin::Triple<double> position_m;  ///< NED
-    twin::EulerAngles turned;
-    twin::Triple<double> velocity_m_s;  ///< body axes
-    twin::Triple<double> rates_rad_s;   ///< body axes
-  };
-  [[nodiscard]] std::optional<Row> row(std::size_t vehicle, std::size_t row) const;
+  [[nodiscard]] std::optional<PoseRow> row(std::size_t vehicle, std::size_t row) const;
 
   std::vector<double> t_s_;
   const ingest::TrajectoryFile* log_;

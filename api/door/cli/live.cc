@@ -35,6 +35,7 @@ struct LiveArguments {
   bool udp_only = false;
   double factor = 1;
   std::string when_host_fails = "take-back";
+  std::vector<std::string> sensors;
   std::vector<std::filesystem::path> recordings;
   std::vector<std::filesystem::path> played_commands;
   std::filesystem::path played_traffic;
@@ -177,7 +178,36 @@ json played_json(const std::vector<live::PlayedBag>& played) {
   return all;
 }
 
+json sensors_json(const std::vector<live::SensorTold>& told) {
+  json all = json::array();
+  for (const auto& [asked, made] : told)
+    all.push_back({{"vehicle", asked.vehicle},
+                   {"sensor", asked.sensor},
+                   {"rate_hz", asked.rate_hz},
+                   {"moments", made.moments},
+                   {"seen", made.looks},
+                   {"dropped", made.dropped},
+                   {"unseen", made.unseen},
+                   {"mean_ms", 1000 * made.mean_s()},
+                   {"worst_ms", 1000 * made.worst_s}});
+  return all;
+}
+
+/// @throws Error(usage) also where nobody could see anything of them
+std::vector<live::SensorAsked> sensors_of(const LiveArguments& arguments) {
+  std::vector<live::SensorAsked> sensors;
+  for (const std::string& text : arguments.sensors) sensors.push_back(live::sensor_asked(text));
+  const bool is_heard = arguments.domain || arguments.viewer_port || arguments.people_port ||
+                        !arguments.recordings.empty();
+  if (!sensors.empty() && !is_heard)
+    throw Error(ErrorKind::usage,
+                "--see: nobody would see it; say where it goes: --dds-domain, --record, "
+                "--viewer-port or --people");
+  return sensors;
+}
+
 void run_live(const LiveArguments& arguments, const Context& context) {
+  const std::vector<live::SensorAsked> sensors = sensors_of(arguments);
   expect_output("--out", arguments.out, {".nc"});
   expect_output("--html", arguments.html, {".html"});
   Recordings recordings(arguments.recordings);
@@ -187,6 +217,7 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   if (!arguments.played_traffic.empty())
     live::add_bag_traffic(arguments.played_traffic, scenario, water);
   live::LiveSettings settings = settings_of(arguments, scenario, water);
+  settings.sensors = sensors;
   Viewers viewers;
   if (arguments.viewer_port) {
     viewers = open_viewers(*arguments.viewer_port, scenario.name);
@@ -196,6 +227,9 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   if (arguments.people_port) {
     settings.actions = std::make_shared<live::ActionPost>();
     people = open_session(arguments, scenario.name, context, settings.actions);
+    settings.on_picture = [session = people.session->session()](const auto& picture) {
+      session->take_picture(picture);
+    };
   }
   std::unique_ptr<live::LiveRun> joined;
   std::unique_ptr<Stopper> stopper;
@@ -212,9 +246,11 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   if (people.session) choice.actions = [&people] { return people.session->actions(); };
   std::optional<live::Punctuality> punctuality;
   std::vector<live::PlayedBag> played;
+  std::vector<live::SensorTold> seen;
   choice.on_over = [&] {
     stopper.reset();
     if (people.session) people.session->end();
+    if (joined) seen = joined->end_sensors();
     if (joined) punctuality = joined->punctuality();
     if (joined) played = joined->played();
     joined.reset();
@@ -240,6 +276,7 @@ void run_live(const LiveArguments& arguments, const Context& context) {
       std::printf("to watch it again: slackwater watch %s\n", arguments.out.c_str());
     for (const live::PlayedBag& bag : played) std::printf("%s\n", bag.text().c_str());
     std::printf("%s\n", punctuality->text().c_str());
+    for (const live::SensorTold& sensor : seen) std::printf("%s\n", sensor.text().c_str());
     recordings.expect_complete();
     return;
   }
@@ -249,6 +286,7 @@ void run_live(const LiveArguments& arguments, const Context& context) {
                         {"worst_ms", 1000 * punctuality->worst_s()}};
   out["recordings"] = recordings.json();
   out["played"] = played_json(played);
+  out["sensors"] = sensors_json(seen);
   std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
   context.answered = true;
   recordings.expect_complete();
@@ -279,6 +317,9 @@ void add_live(CLI::App& app, Context& context) {
                    "what happens to a vehicle whose agent or physics in another process is gone, "
                    "late or wrong (default take-back)")
       ->check(CLI::IsMember({"take-back", "halt"}));
+  command->add_option("--see", arguments->sensors,
+                      "a sensor on a vehicle: VEHICLE/SENSOR@RATE, of data/sensors, in Hz of the "
+                      "run's time, as in rov/rov_camera@2; repeatable");
   command->add_option("--record", arguments->recordings,
                       "bag of all messages: FILE.mcap, or a folder for rosbag2; repeatable");
   command->add_option("--play-commands", arguments->played_commands,

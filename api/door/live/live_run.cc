@@ -58,6 +58,11 @@ struct LiveRun::Parts {
     alarms = std::make_unique<AlarmPublisher>(stream, place, hand.watch, hand.vessels);
     if (participant) open_doors(hand, settings);
     open_for_all();
+    if (!settings.sensors.empty()) {
+      sensors = std::make_unique<SensorPublisher>(stream, place, hand, names, settings.sensors,
+                                                  settings.on_picture, settings.on_trouble);
+      stream.opened();
+    }
     // At once, and not only in what is said at the end: a run may take hours.
     for (std::size_t i = 0; settings.on_trouble && i < hand.water.warnings.size(); ++i)
       settings.on_trouble(hand.water.warnings[i]);
@@ -124,6 +129,7 @@ struct LiveRun::Parts {
     for (std::size_t i = 0; i < voices.size(); ++i)
       voices[i].speak(run.agents()[i], states[i], arbiter.holder(i), t_s);
     if (door) door->speak(states, t_s);
+    if (sensors) sensors->speak(t_s);
   }
 
   twin::Run& run;
@@ -140,6 +146,7 @@ struct LiveRun::Parts {
   std::unique_ptr<SitePublisher> site;
   std::unique_ptr<AlarmPublisher> alarms;
   std::deque<VehiclePublisher> voices;
+  std::unique_ptr<SensorPublisher> sensors;
   std::deque<BagCommands> played_commands;
   std::unique_ptr<DdsDoor> door;
   std::unique_ptr<HostLink> hosts;
@@ -150,7 +157,14 @@ LiveRun::LiveRun(const api::RunInHand& hand, const LiveSettings& settings)
     : parts_(std::make_unique<Parts>(hand, settings)) {}
 LiveRun::~LiveRun() {
   parts_->actions.finish();
+  (void)end_sensors();
   if (parts_->door) parts_->door->end_run(parts_->run.time_s());
+}
+
+std::vector<SensorTold> LiveRun::end_sensors() {
+  if (!parts_->sensors) return {};
+  parts_->sensors->finish(parts_->run.time_s());
+  return parts_->sensors->told();
 }
 
 const std::vector<std::string>& LiveRun::names() const noexcept { return parts_->names; }

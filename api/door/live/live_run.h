@@ -13,6 +13,7 @@
 #include "api/door/live/host_link.h"
 #include "api/door/live/punctuality.h"
 #include "api/door/live/record_teller.h"
+#include "api/door/live/sensor_publisher.h"
 #include "api/door/live/stream.h"
 
 namespace slackwater::live {
@@ -27,6 +28,8 @@ struct LiveSettings {
   std::vector<std::filesystem::path> played_commands;
   /// Recordings, viewers: told of everything besides.
   std::vector<std::shared_ptr<Outlet>> outlets;
+  std::vector<SensorAsked> sensors;     ///< that its vehicles carry
+  OnPicture on_picture;                 ///< what its cameras saw, for people; may be null
   std::shared_ptr<ActionPost> actions;  ///< of people who take part; null: nobody can
   /// What operators should know of. From any thread.
   std::function<void(const std::string&)> on_trouble;
@@ -42,7 +45,7 @@ struct LiveSettings {
 /// doors. There until the run has made its last step (`RunChoice::on_over`).
 class LiveRun {
  public:
-  /// @throws Error(unavailable) where the domain cannot be joined
+  /// @throws Error(unavailable) where the domain cannot be joined; as `SensorPublisher`
   LiveRun(const api::RunInHand& hand, const LiveSettings& settings);
   ~LiveRun();
   LiveRun(const LiveRun&) = delete;
@@ -52,6 +55,8 @@ class LiveRun {
   [[nodiscard]] const std::vector<std::string>& names() const noexcept;
   /// Between steps.
   [[nodiscard]] const Punctuality& punctuality() const noexcept;
+  /// How its sensors fared. After the last step: waits for what they are looking at.
+  [[nodiscard]] std::vector<SensorTold> end_sensors();
   /// What became of the bags of commands so far. Between steps.
   [[nodiscard]] std::vector<PlayedBag> played() const;
   /// Of a run that is made again: what was told of its record so far. Between steps.

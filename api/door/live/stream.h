@@ -51,6 +51,7 @@ class Stream {
 /// Of the table of names in api/docs/dds.md.
 inline constexpr bag::Quality state_quality{true, false, 10};
 inline constexpr bag::Quality latched_quality{true, true, 1};
+inline constexpr bag::Quality sensor_quality{true, false, 5};
 inline constexpr bag::Quality clock_quality{false, false, 1};
 inline constexpr bag::Quality command_quality{true, false, 1};
 

@@ -10,6 +10,7 @@
 
 #include "api/door/http/websocket.h"
 #include "api/door/people/farm_output.h"
+#include "api/door/people/pictures_now.h"
 #include "api/door/people/run_desk.h"
 #include "api/door/people/station.h"
 #include "api/door/people/ticker.h"
@@ -51,6 +52,13 @@ class Session final : public api::http::WebSocketHandler {
                                                                    const std::string& path) const;
   [[nodiscard]] std::vector<Action> actions() const;
 
+  /// What a camera of a vehicle saw: tells the stations that it is there. From any thread.
+  void take_picture(const live::SensorPicture& picture);
+  /// The last picture of a camera, as JPEG; 404 that names the cameras there are.
+  /// @param path  that was asked for
+  [[nodiscard]] api::http::Response picture(const std::string& vehicle, const std::string& sensor,
+                                            const std::string& path) const;
+
   // --- stations ---
   [[nodiscard]] std::vector<std::string> protocols() const override;
   [[nodiscard]] std::optional<api::http::Response> refusal(
@@ -85,6 +93,7 @@ class Session final : public api::http::WebSocketHandler {
   void tell_status(bool is_second);
   void tell_run();
   void tell_around();
+  [[nodiscard]] nlohmann::json pictures_json() const;
   void mind_farm();
   [[nodiscard]] nlohmann::json weather_now() const;
   [[nodiscard]] ShownHelm shown(std::size_t vehicle) const;
@@ -107,6 +116,7 @@ class Session final : public api::http::WebSocketHandler {
   nlohmann::json seats_told_, run_told_, weather_told_, traffic_told_;
   std::shared_ptr<FarmOutput> farm_;  ///< null: the site has no turbines
   std::optional<FarmNow> farm_now_;
+  PicturesNow pictures_;
   bool is_over_ = false;
   Milliseconds barrier_at_ = 0, barrier_after_ = 0;  ///< the last one, and how long after another
   Milliseconds second_at_ = 0;

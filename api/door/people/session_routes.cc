@@ -65,6 +65,14 @@ void add_routes(api::http::Router& router, const ServedSessions& sessions) {
 }
 
 void add_routes(api::http::Router& router, const std::shared_ptr<Session>& session) {
+  // Sessions that a server begins have no cameras.
+  router.add("GET", "/sessions/" + session->id() + "/pictures/{vehicle}/{sensor}",
+             [session](const Request& request, const api::http::PathParameters& parameters) {
+               const std::string_view token = api::http::bearer_of(request.authorization);
+               if (auto no = session->refusal_to_read(token, request.path)) return *std::move(no);
+               return session->picture(parameters.at("vehicle"), parameters.at("sensor"),
+                                       request.path);
+             });
   add_routes(router, {[session] {
                         return json{{"sessions", json::array({session->summary()})}};
                       },

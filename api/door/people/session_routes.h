@@ -24,7 +24,7 @@ struct ServedSessions {
 /// The paths of sessions, as in api/docs/session_wire.md: the page, the list, the check of a token,
 /// the record and the socket.
 void add_routes(api::http::Router& router, const ServedSessions& sessions);
-/// The same of a server that has but one.
+/// The same of a server that has but one, and what the cameras of its vehicles see.
 void add_routes(api::http::Router& router, const std::shared_ptr<Session>& session);
 
 }  // namespace slackwater::people

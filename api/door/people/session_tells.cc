@@ -89,6 +89,7 @@ void Session::welcome(Station& station, const Seats::Taken& taken) {
   welcome["actions"] = rows;
   welcome["run"] = run_json();
   welcome["weather"] = weather_now();
+  welcome["pictures"] = pictures_json();
   welcome["traffic"] = now_.around ? traffic_json(*now_.around) : json(nullptr);
   tell(station, welcome);
 }

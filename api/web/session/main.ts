@@ -14,6 +14,7 @@ import { join_form } from './panel/join_form';
 import { log_panel } from './panel/log_panel';
 import { orders_bar } from './panel/orders_bar';
 import { people_panel } from './panel/people_panel';
+import { picture_panel } from './panel/picture_panel';
 import { playback_bar } from './panel/playback_bar';
 import { settings_dialog } from './panel/settings_dialog';
 import { state_panel } from './panel/state_panel';
@@ -93,6 +94,7 @@ const way = waypoint_edit(
 );
 const supervise = supervise_panel(station);
 const camera = camera_panel(station);
+const picture = picture_panel(station);
 const weather = weather_panel(station);
 const people = people_panel(station);
 const playback = playback_bar(station);
@@ -104,6 +106,7 @@ const panels: Panel[] = [
   helm,
   orders,
   drive,
+  picture,
   camera,
   way,
   supervise,
@@ -189,7 +192,8 @@ plan_canvas.after(way.plan_note);
 
 by_id('top').append(top.box);
 by_id('join').append(join.box);
-by_id('chosen').append(helm.box, state.box, drive.box, camera.box, way.box, supervise.box);
+by_id('chosen').append(helm.box, picture.box, state.box, drive.box);
+by_id('chosen').append(camera.box, way.box, supervise.box);
 by_id('around').append(table.box, weather.box, people.box, log.box);
 by_id('playback').append(playback.box);
 by_id('orders').append(drive.touch_box, orders.box);

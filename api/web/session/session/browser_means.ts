@@ -20,6 +20,26 @@ async function check(session_id: string, token: string): Promise<Check> {
   }
 }
 
+async function picture(
+  session_id: string,
+  token: string,
+  vehicle: number,
+  sensor: string,
+): Promise<Blob | null> {
+  const path = `/sessions/${encodeURIComponent(session_id)}/pictures`;
+  try {
+    const answer = await fetch(`${path}/${vehicle}/${encodeURIComponent(sensor)}`, {
+      headers: { Authorization: `Bearer ${token}` },
+      cache: 'no-store',
+      credentials: 'omit',
+      signal: AbortSignal.timeout(4000),
+    });
+    return answer.ok ? await answer.blob() : null;
+  } catch {
+    return null;
+  }
+}
+
 async function problem_text(answer: Response): Promise<string> {
   const fallback = `The server refused (${answer.status}).`;
   try {
@@ -37,6 +57,7 @@ export const browser_means: Means = {
     return new WebSocket(address, protocols) as Socket;
   },
   check,
+  picture,
   now_ms: () => performance.now(),
   after: (wait_ms, run) => setTimeout(run, wait_ms) as unknown as number,
   cancel: (timer) => clearTimeout(timer),

@@ -90,6 +90,16 @@ export interface Status {
   alarms: Omit<Alarm, 'vehicle'>[] | null;
   camera: CameraPointing | null;
 }
+/** What a camera saw last; its pixels are fetched. */
+export interface Picture {
+  vehicle: number;
+  sensor: string;
+  number: number;
+  time_s: number;
+  at: number; // of its moment, on the session's clock
+  wide: number;
+  high: number;
+}
 export interface CameraPointing {
   pan_deg: number;
   tilt_deg: number;
@@ -311,6 +321,24 @@ export function read_status(it: Json): Status | null {
       return { name: as_text(limit.name), value, limit: most, unit: as_text(limit.unit) };
     }),
   };
+}
+export function read_picture(it: Json): Picture | null {
+  const [vehicle, number, at] = [as_number(it.vehicle), as_number(it.number), as_number(it.at)];
+  const sensor = as_text(it.sensor);
+  if (vehicle === null || number === null || at === null || sensor === '') return null;
+  const time_s = as_number(it.time_s) ?? 0;
+  return {
+    vehicle,
+    sensor,
+    number,
+    time_s,
+    at,
+    wide: as_number(it.wide) ?? 640,
+    high: as_number(it.high) ?? 360,
+  };
+}
+export function read_pictures(value: unknown): Picture[] {
+  return list_of(value, read_picture);
 }
 function read_camera(it: Json | null): CameraPointing | null {
   if (it === null) return null;

@@ -9,6 +9,7 @@ import type {
   Helm,
   Holder,
   Json,
+  Picture,
   Role,
   Run,
   Seat,
@@ -41,6 +42,8 @@ export interface Session {
   statuses: Map<number, Status>;
   poses: Map<number, Pose>;
   alarms: Map<string, Alarm>;
+  /** Of each camera the last, by vehicle and sensor. */
+  pictures: Map<string, Picture>;
   weather: Weather | null;
   vessels: Vessel[];
   actions: Action[];
@@ -67,6 +70,7 @@ export function empty_session(): Session {
     statuses: new Map(),
     poses: new Map(),
     alarms: new Map(),
+    pictures: new Map(),
     weather: null,
     vessels: [],
     actions: [],
@@ -105,6 +109,11 @@ export function tell(session: Session, message: Json): boolean {
       if (status !== null) take_status(session, status);
       return true;
     }
+    case 'picture': {
+      const picture = read.read_picture(message);
+      if (picture !== null) session.pictures.set(camera_of(picture), picture);
+      return true;
+    }
     case 'weather':
       session.weather = read_weather(message);
       return true;
@@ -138,6 +147,10 @@ export function tell(session: Session, message: Json): boolean {
   }
 }
 
+function camera_of(picture: Picture): string {
+  return `${picture.vehicle} ${picture.sensor}`;
+}
+
 function take_status(session: Session, status: Status): void {
   session.statuses.set(status.vehicle, status);
   if (status.alarms === null) return;
@@ -166,6 +179,7 @@ function welcome(session: Session, message: Json): void {
   session.seats = new Map(read.read_seats(message.seats).map((it) => [it.seat, it]));
   session.run = read.read_run(read.as_object(message.run) ?? {});
   session.helms = new Map(read.read_helms(message.helms).map((it) => [it.vehicle, it]));
+  session.pictures = new Map(read.read_pictures(message.pictures).map((it) => [camera_of(it), it]));
   session.weather = read_weather(message.weather);
   session.vessels = read_vessels(read.as_object(message.traffic)?.vessels);
   // What a welcome does not carry is told anew after it: the old is of a link that is gone.

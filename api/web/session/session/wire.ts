@@ -34,6 +34,13 @@ export type Check = { is: 'allowed' } | { is: 'refused'; text: string } | { is: 
 export interface Means {
   open(session_id: string, protocols: string[]): Socket;
   check(session_id: string, token: string): Promise<Check>;
+  /** The last picture of a camera; null: it cannot be had now. */
+  picture(
+    session_id: string,
+    token: string,
+    vehicle: number,
+    sensor: string,
+  ): Promise<Blob | null>;
   now_ms(): number;
   after(wait_ms: number, run: () => void): number;
   cancel(timer: number): void;
@@ -100,6 +107,11 @@ export class Wire {
   /** The session's clock now; not a number when it is not known. */
   clock_ms(): number {
     return this.clock.at(this.means.now_ms());
+  }
+
+  /** The last picture of a camera, for this seat. */
+  picture(vehicle: number, sensor: string): Promise<Blob | null> {
+    return this.means.picture(this.session_id, this.token, vehicle, sensor);
   }
 
   /** A new seat, with a role's token. */

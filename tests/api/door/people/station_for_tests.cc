@@ -53,7 +53,7 @@ SessionUnderWay::SessionUnderWay(const std::string& yaml, Choice choice)
   else
     start();
   std::promise<void> ready;
-  run_ = std::thread([this, yaml, also = std::move(choice.also),
+  run_ = std::thread([this, yaml, also = std::move(choice.also), over = std::move(choice.over),
                       with_water = std::move(choice.with_water), &ready] {
     const twin::Scenario scenario = twin::parse_scenario(yaml, "test.yaml");
     api::ScenarioWater water = water_of_yaml(scenario);
@@ -65,7 +65,10 @@ SessionUnderWay::SessionUnderWay(const std::string& yaml, Choice choice)
       if (also) also(hand);
       ready.set_value();
     };
-    run.on_over = [&] { session_->end(); };
+    run.on_over = [&] {
+      session_->end();
+      if (over) over();
+    };
     run.actions = [&] { return session_->actions(); };
     result_ = api::run_scenario(scenario, water, run);
   });

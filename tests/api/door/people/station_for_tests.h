@@ -24,6 +24,7 @@ class SessionUnderWay {
     double real_time_factor = 1;
     people::TokenBook book = people::TokenBook::drawn(UtcTime::max());
     std::function<void(const api::RunInHand&)> also{};
+    std::function<void()> over{};                           ///< after the last step
     std::function<void(api::ScenarioWater&)> with_water{};  ///< changes it before the run
     std::string address = "127.0.0.1";
     /// Does the work where the server shall listen; absent: here.

@@ -5,6 +5,7 @@ import { shaped_text, stick_speed_m_s } from 'page/drive/shaped';
 import { read_answer, type Json } from 'page/session/message';
 import { empty_session, has_helm, show_frame, tell, type Session } from 'page/session/state';
 import { camera_text } from 'page/panel/camera_panel';
+import { picture_text } from 'page/panel/picture_panel';
 import { helm_words } from 'page/panel/helm_panel';
 import { farm_text, led_text } from 'page/panel/weather_panel';
 import type { Frame, Pose } from 'page/session/frame';
@@ -291,4 +292,36 @@ test('WhereACameraLooksIsSaidInWords', () => {
   assert.equal(words(0, 0), 'Looks straight ahead, level, zoom 1.0.');
   assert.equal(words(-30, 45), 'Looks 30\u00b0 to port, 45\u00b0 up, zoom 1.0.');
   assert.equal(words(90, -90), 'Looks 90\u00b0 to starboard, 90\u00b0 down, zoom 1.0.');
+});
+
+const PICTURE: Json = {
+  is: 'picture',
+  vehicle: 0,
+  sensor: 'rov_camera',
+  number: 3,
+  time_s: 1.5,
+  at: 2500,
+  wide: 640,
+  high: 360,
+};
+test('OfEachCameraTheLastPictureIsKnown', () => {
+  const session = empty_session();
+  tell(session, { ...WELCOME, pictures: [PICTURE, { vehicle: 0 }, 'nonsense'] });
+  assert.equal(session.pictures.size, 1);
+  tell(session, { ...PICTURE, number: 4, time_s: 2, at: 3000 });
+  tell(session, { ...PICTURE, sensor: 'other', number: 1 });
+  tell(session, { is: 'picture', vehicle: 0, sensor: '', number: 9, at: 0 });
+  const numbers = [...session.pictures.values()].map((it) => it.number);
+  assert.deepEqual(numbers, [4, 1]);
+  tell(session, WELCOME);
+  assert.equal(session.pictures.size, 0, 'a welcome says what there is');
+});
+test('APictureSaysHowLateItWasAndWhenNoneComesAnyMore', () => {
+  const session = empty_session();
+  tell(session, PICTURE);
+  const [picture] = session.pictures.values();
+  assert.equal(picture_text(null, Number.NaN, 0), 'The first picture is on its way.');
+  assert.equal(picture_text(picture!, 340, 500), 'At 1.5 s of the run, here 0.34 s later.');
+  assert.equal(picture_text(picture!, Number.NaN, 500), 'At 1.5 s of the run.');
+  assert.equal(picture_text(picture!, 340, 12_700), 'No new picture for 12 s.');
 });

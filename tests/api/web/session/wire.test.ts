@@ -47,6 +47,7 @@ class World {
   answer: Check = { is: 'allowed' };
   sockets: FakeSocket[] = [];
   checked: string[] = [];
+  pictures: string[] = [];
   states: LinkState[] = [];
   resume: { token: string } | null = null;
   private timers: { at: number; run: () => void; id: number }[] = [];
@@ -63,6 +64,10 @@ class World {
       check: (_session, token) => {
         this.checked.push(token);
         return Promise.resolve(this.answer);
+      },
+      picture: (session_id, token, vehicle, sensor) => {
+        this.pictures.push([session_id, token, vehicle, sensor].join(' '));
+        return Promise.resolve(null);
       },
       now_ms: () => this.now,
       after: (wait, run) => {
@@ -143,6 +148,14 @@ test('ACutComesBackWithTheResumeTokenAndEachIsGoodOnce', async () => {
   world.socket.closes(1006);
   await world.pass(300);
   assert.equal(world.socket.protocols[1], 'bearer.resume-2');
+});
+
+test('APictureIsAskedForWithTheTokenOfTheSeat', async () => {
+  const world = new World();
+  world.wire.join('live', 'role-token', 'Ann');
+  await world.sit('resume-1');
+  await world.wire.picture(1, 'rov_camera');
+  assert.deepEqual(world.pictures, ['live resume-1 1 rov_camera']);
 });
 
 test('NothingIsSentOverACutNorKeptForAfter', async () => {

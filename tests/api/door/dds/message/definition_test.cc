@@ -117,6 +117,21 @@ TEST(DefinitionOf, EachTypeOfTheTable) {
        "std_msgs/Header header\ngeometry_msgs/Vector3 vector\n"},
       {"sensor_msgs/msg/FluidPressure",
        "std_msgs/Header header\nfloat64 fluid_pressure\nfloat64 variance\n"},
+      {"sensor_msgs/msg/CompressedImage", "std_msgs/Header header\nstring format\nuint8[] data\n"},
+      {"sensor_msgs/msg/Image",
+       "std_msgs/Header header\nuint32 height\nuint32 width\nstring encoding\n"
+       "uint8 is_bigendian\nuint32 step\nuint8[] data\n"},
+      {"sensor_msgs/msg/CameraInfo",
+       "std_msgs/Header header\nuint32 height\nuint32 width\nstring distortion_model\n"
+       "float64[] d\nfloat64[9] k\nfloat64[9] r\nfloat64[12] p\nuint32 binning_x\n"
+       "uint32 binning_y\nsensor_msgs/RegionOfInterest roi\n"},
+      {"sensor_msgs/msg/PointCloud2",
+       "std_msgs/Header header\nuint32 height\nuint32 width\nsensor_msgs/PointField[] fields\n"
+       "bool is_bigendian\nuint32 point_step\nuint32 row_step\nuint8[] data\nbool is_dense\n"},
+      {"marine_acoustic_msgs/msg/ProjectedSonarImage",
+       "std_msgs/Header header\nmarine_acoustic_msgs/PingInfo ping_info\n"
+       "geometry_msgs/Vector3[] beam_directions\nfloat32[] ranges\n"
+       "marine_acoustic_msgs/SonarImageData image\n"},
       {"std_msgs/msg/String", "string data\n"},
       {"std_msgs/msg/Float64", "float64 data\n"},
       {"std_srvs/srv/SetBool_Request", "bool data\n"},
@@ -152,7 +167,25 @@ TEST(DefinitionOf, EachTypeOfTheTable) {
     const std::string text = definition_of(type);
     EXPECT_EQ(text.substr(0, text.find(line)), fields) << type;
   }
-  EXPECT_THROW((void)definition_of("sensor_msgs/msg/PointCloud2"), ContractViolation);
+  EXPECT_THROW((void)definition_of("sensor_msgs/msg/LaserScan"), ContractViolation);
+}
+
+TEST(DefinitionOf, PartsOfWhatSensorsTell) {
+  const std::string camera = definition_of("sensor_msgs/msg/CameraInfo");
+  EXPECT_TRUE(camera.ends_with(held("sensor_msgs/RegionOfInterest") +
+                               "uint32 x_offset\nuint32 y_offset\nuint32 height\nuint32 width\n"
+                               "bool do_rectify\n"));
+  const std::string cloud = definition_of("sensor_msgs/msg/PointCloud2");
+  EXPECT_TRUE(cloud.ends_with(held("sensor_msgs/PointField") +
+                              "string name\nuint32 offset\nuint8 datatype\nuint32 count\n"));
+  const std::string ping = definition_of("marine_acoustic_msgs/msg/ProjectedSonarImage");
+  EXPECT_NE(ping.find(held("marine_acoustic_msgs/PingInfo") +
+                      "float32 frequency\nfloat32 sound_speed\nfloat32[] tx_beamwidths\n"
+                      "float32[] rx_beamwidths\n"),
+            std::string::npos);
+  EXPECT_TRUE(ping.ends_with(held("marine_acoustic_msgs/SonarImageData") +
+                             "bool is_bigendian\nuint32 dtype\nuint32 beam_count\n"
+                             "uint8[] data\n"));
 }
 
 TEST(DefinitionOf, LogAsOnRosout) {
@@ -170,6 +203,20 @@ TEST(TypeHashOf, MessagesIsThatOfRosbags) {
             "RIHS01_5f0fcd4f81d5d06ad9b4c4c63e3ea51b82d6ae4d0558f1d475229b1121db6f64");
   EXPECT_EQ(type_hash_of("rcl_interfaces/msg/Log"),
             "RIHS01_e28ce254ca8abc06abf92773b74602cdbf116ed34fbaf294fb9f81da9f318eac");
+}
+
+TEST(TypeHashOf, WhatSensorsTellIsThatOfRosbags) {
+  EXPECT_EQ(type_hash_of("sensor_msgs/msg/CompressedImage"),
+            "RIHS01_15640771531571185e2efc8a100baf923961a4d15d5569652e6cb6691e8e371a");
+  EXPECT_EQ(type_hash_of("sensor_msgs/msg/Image"),
+            "RIHS01_d31d41a9a4c4bc8eae9be757b0beed306564f7526c88ea6a4588fb9582527d47");
+  EXPECT_EQ(type_hash_of("sensor_msgs/msg/CameraInfo"),
+            "RIHS01_b3dfd68ff46c9d56c80fd3bd4ed22c7a4ddce8c8348f2f59c299e73118e7e275");
+  EXPECT_EQ(type_hash_of("sensor_msgs/msg/PointCloud2"),
+            "RIHS01_9198cabf7da3796ae6fe19c4cb3bdd3525492988c70522628af5daa124bae2b5");
+  // From its .msg files, for rosbags knows no marine_acoustic_msgs.
+  EXPECT_EQ(type_hash_of("marine_acoustic_msgs/msg/ProjectedSonarImage"),
+            "RIHS01_e9d0b934ee8332c9f79e04c361de0793c165b2dee14f2c0d25c3227cd50d46f1");
 }
 
 /// Reckoned apart, in Python from the fields of Navigate.action, by a sum that gives rosidl's own

@@ -1,0 +1,223 @@
+#include "api/ask/render/seen_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields/base/check.h"
+#include "fields/base/text.h"
+#include "twin/render/light/light_frame.h"
+#include "twin/render/scene/place_to_look_at.h"
+#include "twin/render/scene/scene_of_run.h"
+#include "twin/risk/sun_position.h"
+
+namespace slackwater::api {
+namespace {
+
+/// Where the scenario says nothing of how far one sees: estimates, of fair North Sea water and of a
+/// clear day.
+constexpr double usual_water_m = 8, usual_air_m = 20000;
+
+twin::Clarity usual_clarity(double visibility_m, twin::Medium medium) {
+  twin::Clarity clarity;
+  return twin::seen_through(clarity, visibility_m, medium);
+}
+
+/// Who meets whom is in the run's rows: nobody is followed or alarmed again.
+twin::Scenario without_traffic(twin::Scenario scenario) {
+  scenario.traffic = {};
+  return scenario;
+}
+
+twin::ReadyRun ready_to_look_at(const twin::Scenario& scenario, twin::Surround surround) {
+  surround.is_only_asked = true;
+  return twin::set_up(scenario, surround);
+}
+
+/// A carriage that has the sensor at its pose: body axes along the picture's.
+twin::Carriage turned_with(const twin::Pose& pose, const twin::RenderSensor& sensor) {
+  const twin::Triple<double> down = cross(pose.axis, pose.right);
+  const twin::Rotation<double> turned{{pose.axis.x, pose.right.x, down.x},
+                                      {pose.axis.y, pose.right.y, down.y},
+                                      {pose.axis.z, pose.right.z, down.z}};
+  return {pose.position_m - turned.to_ned(sensor.position_m), turned, pose.velocity_m_s, {}};
+}
+
+CameraView seen_by(const twin::CameraSheet& camera, const MountedSensor& mounted,
+                   const twin::RenderScene& scene, const twin::Pose& pose,
+                   const twin::Carriage& lamps_on, twin::Lighting lighting, std::uint64_t seed) {
+  const int threads = mounted.threads;
+  const twin::Pinhole pinhole(pose, camera.frame);
+  CameraView seen;
+  seen.matrix = pinhole.matrix();
+  twin::FrameHits hits;
+  seen.truth = twin::truth_of(scene, pinhole, mounted.sensor.most_range_m, threads, hits);
+  for (const twin::MountedLamp& lamp : camera.lamps)
+    lighting.lamps.push_back(twin::lamp_of(lamp, lamps_on));
+  lighting.shadows = twin::shadows_of(scene);
+  seen.picture = twin::developed(twin::light_of(scene, lighting, pinhole, hits, threads),
+                                 camera.sensor, seed, threads);
+  return seen;
+}
+
+}  // namespace
+
+SeenRun::SeenRun(twin::Scenario scenario, twin::Surround surround,
+                 std::vector<std::string> vehicles)
+    : scenario_(without_traffic(std::move(scenario))),
+      names_(std::move(vehicles)),
+      ready_(ready_to_look_at(scenario_, surround)),
+      shapes_(names_.size()) {
+  for (std::size_t i = 0; i < std::min(names_.size(), scenario_.vehicles.size()); ++i)
+    shapes_[i] = twin::read_vehicle_shape(
+        twin::vehicle_file(scenario_.vehicles[i].model, surround.data_folder));
+  for (const twin::Agent& agent : ready_.agents) {
+    if (!agent.inspection) continue;
+    // Of two that inspect one surface the first shows it.
+    const bool is_new = std::none_of(
+        inspections_.begin(), inspections_.end(),
+        [&](const auto& other) { return other->plan.surfaces == agent.inspection->plan.surfaces; });
+    if (is_new) inspections_.push_back(agent.inspection);
+  }
+}
+
+/// That of the vehicle's own inspection, else of the first one.
+SeenRun::Sight SeenRun::sight_from(std::size_t vehicle) const {
+  Sight sight{usual_clarity(usual_water_m, twin::Medium::water),
+              usual_clarity(usual_air_m, twin::Medium::air), false};
+  const twin::Inspection* of = nullptr;
+  for (const twin::Agent& agent : ready_.agents)
+    if (agent.inspection && (of == nullptr || agent.name == names_[vehicle]))
+      of = agent.inspection.get();
+  if (of == nullptr) return sight;
+  sight.is_stated = true;
+  sight.in_water = of->plan.water;
+  if (of->plan.air.beam_attenuation_per_m > 0) sight.in_air = of->plan.air;
+  return sight;
+}
+
+std::vector<std::string> SeenRun::warnings(std::size_t vehicle) const {
+  std::vector<std::string> warnings;
+  for (std::size_t i = scenario_.vehicles.size(); i < names_.size(); ++i)
+    if (i != vehicle) warnings.push_back(names_[i] + " joined the run later, and is not drawn");
+  if (!sight_from(vehicle).is_stated)
+    warnings.push_back(formatted(
+        "its scenario says not how far one sees: {:g} m in water and {:g} km in air are taken",
+        usual_water_m, usual_air_m / 1000));
+  return warnings;
+}
+
+/// The sea as somebody led it up to then.
+void SeenRun::lead_weather(const SeenMoment& moment) const {
+  const twin::Environment& environment = *ready_.environment;
+  if (!environment.weather) return;
+  environment.weather->forget();
+  for (const twin::Command& command : moment.weather) {
+    const double set_s = static_cast<double>(command.step) * scenario_.step_s;
+    if (set_s <= moment.t_s)
+      environment.weather->set(std::get<twin::SetWeather>(command.what).asked, environment, set_s);
+  }
+}
+
+std::vector<twin::SeenVehicle> SeenRun::others_than(std::size_t vehicle,
+                                                    const SeenMoment& moment) const {
+  std::vector<twin::SeenVehicle> vehicles;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (i == vehicle || !shapes_[i]) continue;
+    if (const auto& there = moment.vehicles[i])
+      vehicles.push_back({names_[i], *shapes_[i], there->position_m, there->attitude});
+  }
+  return vehicles;
+}
+
+/// All but lamps and shadows.
+twin::Lighting SeenRun::lighting(const MountedSensor& mounted,
+                                 const twin::EnvironmentSampler& sampler, UtcTime time) const {
+  Sight sight = sight_from(mounted.vehicle);
+  if (const auto seen_m = sampler.water_visibility_m())
+    sight.in_water = twin::seen_through(sight.in_water, *seen_m, twin::Medium::water);
+  if (const auto seen_m = sampler.visibility_m())
+    sight.in_air = twin::seen_through(sight.in_air, *seen_m, twin::Medium::air);
+  twin::Lighting lighting;
+  lighting.water = twin::coloured(sight.in_water, mounted.water_type);
+  lighting.air = twin::colourless(sight.in_air);
+  lighting.seed = scenario_.seed;
+  if (!mounted.is_overcast) {
+    const twin::SunPosition sun = twin::sun_position(ready_.origin, time);
+    lighting.sky = twin::clear_sky(sun.elevation_deg, sun.azimuth_deg);
+  }
+  return lighting;
+}
+
+SeenRun::Sighting SeenRun::sighting(const MountedSensor& mounted, const SeenMoment& moment,
+                                    const twin::EnvironmentSampler& sampler) const {
+  expects(moment.vehicles.size() == names_.size(), "a moment has a place for each vehicle");
+  expects(moment.vehicles[mounted.vehicle].has_value(), "the vehicle of a sensor is there");
+  const twin::RenderSensor& sensor = mounted.sensor;
+  const twin::Carriage& carriage = *moment.vehicles[mounted.vehicle];
+  // Lamps stand on the hull, or turn with the camera that is turned.
+  Sighting sighting{twin::pose_of(sensor, carriage), carriage, {}};
+  if (sensor.is_aimed) {
+    const auto place_m = twin::place_to_look_at(inspections_, ready_.environment->structures,
+                                                sighting.pose.position_m, sensor.most_range_m);
+    if (place_m) {
+      sighting.pose = twin::pose_of(sensor, carriage, *place_m);
+      sighting.lamps_on = turned_with(sighting.pose, sensor);
+    }
+  }
+  const std::vector<twin::SeenVehicle> vehicles = others_than(mounted.vehicle, moment);
+  sighting.scene = twin::scene_of_run({sampler, inspections_, vehicles, scenario_.seed, moment.t_s,
+                                       sighting.pose.position_m, sensor.most_range_m});
+  const double below_m = sighting.pose.position_m.z - sighting.scene.surface_m;
+  twin::expect_in_medium(sensor, below_m > 0,
+                         formatted("{:.2f} m {} the surface, {:g} s after the start",
+                                   std::abs(below_m), below_m > 0 ? "below" : "above", moment.t_s));
+  return sighting;
+}
+
+void SeenRun::expect_sees(const MountedSensor& mounted, const SeenMoment& moment) const {
+  lead_weather(moment);
+  (void)sighting(mounted, moment, twin::EnvironmentSampler(*ready_.environment));
+}
+
+RenderView SeenRun::look(const MountedSensor& mounted, const SeenMoment& moment) const {
+  const twin::RenderSensor& sensor = mounted.sensor;
+  const double t_s = moment.t_s;
+  lead_weather(moment);
+  const twin::EnvironmentSampler sampler(*ready_.environment);
+  const auto [pose, lamps_on, scene] = sighting(mounted, moment, sampler);
+
+  RenderView view;
+  view.t_s = t_s;
+  view.time = ready_.start + std::chrono::milliseconds(std::llround(1000 * t_s));
+  view.pose = pose;
+  for (const twin::SeenThing& thing : scene.things)
+    view.things.push_back({thing.name, thing.seen_class});
+  for (const twin::DefectMark& mark : scene.marks)
+    view.defects.push_back({mark.defect, mark.kind, scene.things[mark.thing].name, mark.thing + 1U,
+                            2 * mark.half_along_m, mark.severity, mark.centre_m, 0});
+
+  // Noise of its own for each moment.
+  const auto seed = scenario_.seed ^ static_cast<std::uint64_t>(std::llround(1000 * t_s));
+  const twin::Lighting light = lighting(mounted, sampler, view.time);
+  if (const auto* camera = std::get_if<twin::CameraSheet>(&sensor.device)) {
+    CameraView seen = seen_by(*camera, mounted, scene, view.pose, lamps_on, light, seed);
+    for (const std::uint16_t defect : seen.truth.defect)
+      if (defect > 0) ++view.defects[defect - 1U].pixels;
+    view.seen = std::move(seen);
+    return view;
+  }
+  std::vector<twin::TriangleMesh> meshes;
+  for (const twin::SeenThing& thing : scene.things) meshes.push_back(thing.mesh);
+  const twin::RayCaster caster(meshes);
+  const int threads = mounted.threads;
+  if (const auto* lidar = std::get_if<twin::LidarSheet>(&sensor.device))
+    view.seen =
+        twin::scanned(scene, caster, *lidar, view.pose, sensor.least_range_m, sensor.most_range_m,
+                      light.air.beam_attenuation_per_m[twin::green], seed, threads);
+  else
+    view.seen = twin::pinged(scene, caster, std::get<twin::ImagingSonarSheet>(sensor.device),
+                             view.pose, sensor.least_range_m, sensor.most_range_m, seed, threads);
+  return view;
+}
+
+}  // namespace slackwater::api
