@@ -112,6 +112,10 @@ Bands albedo_of(Material material, const Triple<double>& at_m, std::uint64_t see
                step_between(0.3, 0.7, value_noise(at_m, look.length_m, own)));
 }
 
+Material material_at(const SeenThing& thing, const DefectMark* mark) noexcept {
+  return mark != nullptr ? material_of(mark->kind) : thing.material;
+}
+
 Bands albedo_at(const SeenThing& thing, const DefectMark* mark, const Triple<double>& at_m,
                 std::uint64_t seed) noexcept {
   if (mark != nullptr) return albedo_of(material_of(mark->kind), at_m, seed);

@@ -27,4 +27,8 @@ namespace slackwater::twin {
 [[nodiscard]] Bands albedo_at(const SeenThing& thing, const DefectMark* mark,
                               const Triple<double>& at_m, std::uint64_t seed) noexcept;
 
+/// What a place of a thing is of: of its own, or what a defect lays bare.
+/// @param mark  that holds the place; null: none
+[[nodiscard]] Material material_at(const SeenThing& thing, const DefectMark* mark) noexcept;
+
 }  // namespace slackwater::twin
