@@ -192,6 +192,42 @@ TEST(Lidar, RangesOfASphereAndItsBearings) {
     }
 }
 
+// Of pulses at a wall r off 1 - exp(-k r) meet a drop first; some of them are told, at ranges whose
+// share below x is 1 - exp(-k x). The truth does not change.
+TEST(Lidar, DropsInTheAirTakeAsManyAsStated) {
+  const Cast cast(wall_mesh(20));
+  LidarSheet sheet = small_lidar();
+  sheet.noise_sd_m = 0;
+  sheet.headroom = 100;
+  const LidarScan clear = scanned(cast.scene, cast.caster, sheet, ahead(), 0.01, far_m, 0, 3, 1);
+  sheet.drops_per_m = 0.02;
+  sheet.drops_told = 0.3;
+  double pulses = 0, told_of_drop = 0, nothing = 0, expected = 0, near = 0, expected_near = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const LidarScan wet = scanned(cast.scene, cast.caster, sheet, ahead(), 0.01, far_m, 0, seed, 2);
+    for (std::size_t i = 0; i < clear.range_m.size(); ++i) {
+      if (std::isnan(clear.true_range_m[i])) continue;
+      ASSERT_EQ(wet.true_range_m[i], clear.true_range_m[i]);
+      EXPECT_EQ(wet.instance[i], 1);
+      const double r = static_cast<double>(clear.true_range_m[i]);
+      ++pulses;
+      expected += 1 - std::exp(-0.02 * r);
+      expected_near += 0.3 * (1 - std::exp(-0.02 * 10));
+      if (std::isnan(wet.range_m[i])) {
+        ++nothing;
+      } else if (static_cast<double>(wet.range_m[i]) < r - 0.002) {
+        ++told_of_drop;
+        near += wet.range_m[i] < 10 ? 1 : 0;
+      }
+    }
+  }
+  const double sd = std::sqrt(expected);
+  EXPECT_GT(pulses, 20000);
+  EXPECT_NEAR(nothing + told_of_drop, expected, 4 * sd);
+  EXPECT_NEAR(told_of_drop, 0.3 * expected, 4 * std::sqrt(0.3) * sd);
+  EXPECT_NEAR(near, expected_near, 4 * std::sqrt(expected_near));
+}
+
 TEST(Lidar, FogTakesItsLightTwiceAndDropOutsAreAsManyAsStated) {
   const Cast cast(wall_mesh(10));
   LidarSheet sheet = small_lidar();
