@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "api/ask/render/logged_poses.h"
+#include "api/ask/render/sensed.h"
 #include "api/ask/run/scenario_run.h"
 #include "api/log/command_tables.h"
 #include "api/program/paths.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/sha256.h"
 #include "fields/base/text.h"
-#include "twin/render/light/light_frame.h"
 #include "twin/render/scene/place_to_look_at.h"
 #include "twin/render/scene/scene_of_run.h"
 #include "twin/risk/sun_position.h"
@@ -48,6 +49,7 @@ struct RenderedRun::Parts {
   twin::ReadyRun ready;
   twin::RenderSensor sensor;
   twin::WaterType water_type;
+  twin::Warmth warmth;
   std::size_t vehicle = 0;
   std::vector<std::optional<twin::VehicleShape>> shapes;  ///< of the log's vehicles
   std::vector<std::shared_ptr<const twin::Inspection>> inspections;
@@ -63,7 +65,8 @@ struct RenderedRun::Parts {
         water(water_of_log(scenario, log.attribute("forecast_sha256"), store_folder,
                            chosen.forecast)),
         sensor(twin::read_named_render_sensor(chosen.sensor, water.surround.data_folder)),
-        water_type(twin::read_named_water_type(chosen.water_type, water.surround.data_folder)) {
+        water_type(twin::read_named_water_type(chosen.water_type, water.surround.data_folder)),
+        warmth(twin::read_named_warmth(chosen.warmth, water.surround.data_folder)) {
     // Who meets whom is in the log's rows: nobody is followed or alarmed again.
     scenario.traffic = {};
     water.surround.is_only_asked = true;
@@ -193,21 +196,13 @@ twin::Lighting lighting_at(const RenderedRun::Parts& parts, const twin::Environm
   return lighting;
 }
 
-CameraView seen_by(const twin::CameraSheet& camera, const RenderedRun::Parts& parts,
-                   const twin::RenderScene& scene, const twin::Pose& pose,
-                   const twin::Carriage& lamps_on, twin::Lighting lighting, std::uint64_t seed) {
-  const int threads = parts.choice.threads;
-  const twin::Pinhole pinhole(pose, camera.frame);
-  CameraView seen;
-  seen.matrix = pinhole.matrix();
-  twin::FrameHits hits;
-  seen.truth = twin::truth_of(scene, pinhole, parts.sensor.most_range_m, threads, hits);
-  for (const twin::MountedLamp& lamp : camera.lamps)
-    lighting.lamps.push_back(twin::lamp_of(lamp, lamps_on));
-  lighting.shadows = twin::shadows_of(scene);
-  seen.picture = twin::developed(twin::light_of(scene, lighting, pinhole, hits, threads),
-                                 camera.sensor, seed, threads);
-  return seen;
+/// Of the sun, at right angles to it, W/m2; 0 by night and under cloud.
+double sun_beam_w_m2(const RenderedRun::Parts& parts, UtcTime time) {
+  if (parts.choice.is_overcast) return 0;
+  const double elevation_deg = twin::sun_position(parts.ready.origin, time).elevation_deg;
+  return elevation_deg > 0
+             ? twin::clear_beam_w_m2(elevation_deg) / std::sin(elevation_deg * constants::degree)
+             : 0;
 }
 
 }  // namespace
@@ -276,24 +271,19 @@ RenderView RenderedRun::view_at(double t_s) const {
   // Noise of its own for each moment.
   const auto seed = parts.scenario.seed ^ static_cast<std::uint64_t>(std::llround(1000 * t_s));
   const twin::Lighting lighting = lighting_at(parts, sampler, view.time);
-  if (const auto* camera = std::get_if<twin::CameraSheet>(&sensor.device)) {
-    CameraView seen = seen_by(*camera, parts, scene, view.pose, lamps_on, lighting, seed);
-    for (const std::uint16_t defect : seen.truth.defect)
-      if (defect > 0) ++view.defects[defect - 1U].pixels;
-    view.seen = std::move(seen);
-    return view;
-  }
-  std::vector<twin::TriangleMesh> meshes;
-  for (const twin::SeenThing& thing : scene.things) meshes.push_back(thing.mesh);
-  const twin::RayCaster caster(meshes);
-  const int threads = parts.choice.threads;
-  if (const auto* lidar = std::get_if<twin::LidarSheet>(&sensor.device))
-    view.seen =
-        twin::scanned(scene, caster, *lidar, view.pose, sensor.least_range_m, sensor.most_range_m,
-                      lighting.air.beam_attenuation_per_m[twin::green], seed, threads);
-  else
-    view.seen = twin::pinged(scene, caster, std::get<twin::ImagingSonarSheet>(sensor.device),
-                             view.pose, sensor.least_range_m, sensor.most_range_m, seed, threads);
+  const SensorThere there{sensor,
+                          scene,
+                          sampler,
+                          lighting,
+                          parts.warmth,
+                          view.pose,
+                          lamps_on,
+                          sun_beam_w_m2(parts, view.time),
+                          parts.choice.is_overcast,
+                          seed,
+                          parts.choice.threads};
+  view.seen = sensed(there);
+  count_defects(view);
   return view;
 }
 

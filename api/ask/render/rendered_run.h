@@ -3,14 +3,11 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "api/ask/render/render_view.h"
 #include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
-#include "twin/render/frame/truth_frame.h"
-#include "twin/render/light/picture.h"
-#include "twin/render/sheet/render_sensor.h"
 
 namespace slackwater::api {
 
@@ -20,43 +17,10 @@ struct RenderChoice {
   std::string sensor;   ///< of data/sensors
   std::string vehicle;  ///< empty: the only one, or the first that the sensor's medium suits
   std::string water_type = "coastal_3";  ///< of data/waters: how the water takes colours
+  std::string warmth = "summer_day";     ///< of data/warmth: how warm all is, to infrared
   bool is_overcast = false;
   int threads = 1;
   std::optional<std::filesystem::path> forecast;  ///< of its water, where not in the store
-};
-
-/// What a scene's numbers stand for.
-struct SeenName {
-  std::string name;
-  twin::SeenClass seen_class{};
-};
-
-/// A defect that is in the scene, in view or not.
-struct SeenDefect {
-  std::uint32_t number = 0;  ///< of the run
-  twin::DefectKind kind{};
-  std::string surface;
-  std::size_t thing = 0;  ///< its number, from 1
-  double size_m = 0;
-  double severity = 0;
-  twin::Triple<double> centre_m;  ///< NED of the run
-  std::size_t pixels = 0;         ///< of this picture that show it
-};
-
-struct CameraView {
-  twin::TruthFrame truth;
-  twin::Picture picture;
-  std::array<double, 9> matrix{};  ///< camera matrix, row by row
-};
-
-/// What the sensor saw at one moment.
-struct RenderView {
-  double t_s = 0;  ///< since the start of the run
-  UtcTime time;
-  twin::Pose pose;                  ///< of the sensor, NED of the run
-  std::vector<SeenName> things;     ///< by their number, from 1
-  std::vector<SeenDefect> defects;  ///< by their number in the picture, from 1
-  std::variant<CameraView, twin::LidarScan, twin::SonarImage> seen;
 };
 
 /// A run that is over, looked at again: its log, scenario, water and what is inspected, made ready
