@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "api/perception/read_picture.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
