@@ -168,6 +168,63 @@ TEST_F(RenderCommand, TheSameMomentIsTheSameBytes) {
   EXPECT_EQ(one, seen("two", "2"));
 }
 
+/// Wide and high of a PNG, by its header.
+std::pair<std::size_t, std::size_t> size_of_png(const std::string& file) {
+  const std::string bytes = bytes_of(file);
+  const auto number = [&](std::size_t from) {
+    std::size_t value = 0;
+    for (std::size_t i = from; i < from + 4; ++i)
+      value = 256 * value + static_cast<unsigned char>(bytes.at(i));
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+// What tells a line at a time leaves one picture of all its pings, and no picture of each.
+TEST_F(RenderCommand, LeavesAWaterfallOfPings) {
+  struct Kind {
+    std::string sensor, variable;
+    std::size_t values_wide, values_high;  // 0: as many as pings
+  };
+  for (const Kind& kind :
+       {Kind{"side_scan", "mean_intensity", 2048, 0}, Kind{"multibeam", "true_depth", 512, 0},
+        Kind{"echo_sounder", "intensity", 0, 1000}, Kind{"adcp", "eastward_velocity", 0, 40}}) {
+    const auto seen = [&](const std::string& threads) {
+      const ProgramResult run =
+          made_->run({"render", path("run.nc"), "--sensor", kind.sensor, "--every", "20s", "--out",
+                      path(kind.sensor + threads), "--threads", threads, "--json"});
+      EXPECT_EQ(run.exit_code, 0) << run.err;
+      return json::parse(run.out);
+    };
+    const json told = seen("1");
+    const json& frames = told.at("frames");
+    ASSERT_GE(frames.size(), 4U);
+    EXPECT_EQ(told.at("waterfall"), kind.sensor + "_waterfall.png");
+    const std::string folder = path(kind.sensor + "1") + "/";
+    const auto [wide, high] = size_of_png(folder + kind.sensor + "_waterfall.png");
+    EXPECT_EQ(wide, kind.values_wide > 0 ? kind.values_wide : frames.size());
+    EXPECT_EQ(high, kind.values_high > 0 ? kind.values_high : frames.size());
+    for (const json& frame : frames) {
+      EXPECT_FALSE(frame.contains("png"));
+      const auto file = ingest::netcdf::File::open(folder + frame.at("netcdf").get<std::string>());
+      ASSERT_NE(file.find(kind.variable), nullptr);
+      const auto values = file.read_all(*file.find(kind.variable));
+      EXPECT_GT(std::count_if(values.begin(), values.end(),
+                              [](double value) { return std::isfinite(value) && value != 0; }),
+                10)
+          << kind.sensor;
+    }
+    (void)seen("2");
+    const std::string other = path(kind.sensor + "2") + "/";
+    for (const json& frame : frames) {
+      const std::string name = frame.at("netcdf");
+      EXPECT_EQ(bytes_of(folder + name), bytes_of(other + name)) << name;
+    }
+    EXPECT_EQ(bytes_of(folder + kind.sensor + "_waterfall.png"),
+              bytes_of(other + kind.sensor + "_waterfall.png"));
+  }
+}
+
 TEST_F(RenderCommand, SaysWhatIsWrongInOneLine) {
   const auto said = [](std::vector<std::string> more) {
     std::vector<std::string> arguments{"render", path("run.nc"), "--out", path("none")};

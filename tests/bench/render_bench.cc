@@ -14,10 +14,14 @@
 #include "tests/twin/inspection/meshes_for_tests.h"
 #include "tests/twin/render/render_for_tests.h"
 #include "twin/render/frame/truth_frame.h"
+#include "twin/render/light/forward_scatter.h"
+#include "twin/render/light/infrared_frame.h"
 #include "twin/render/light/light_frame.h"
 #include "twin/render/light/picture.h"
+#include "twin/render/light/shutter.h"
 #include "twin/render/ranging/imaging_sonar.h"
 #include "twin/render/ranging/lidar.h"
+#include "twin/render/ranging/side_scan.h"
 
 namespace {
 
@@ -137,6 +141,13 @@ void run(BenchReport& report) {
   report.answer("the same ping on SSE2 alone",
                 ping.intensity == pinged(scene, narrow, sonar, pose, 0.2, 30, 1, 1).intensity,
                 "and one thread");
+  SideScanSheet side_scan;
+  if (few) side_scan.rays = 64;
+  const Pose past = looking({10, 2, 32}, {10, 3, 32});
+  report.answer("the same side-scan ping on SSE2 alone",
+                side_scanned(scene, *caster, side_scan, past, 1, 50, 1, threads).intensity ==
+                    side_scanned(scene, narrow, side_scan, past, 1, 50, 1, 1).intensity,
+                "and one thread");
   if (few) return;
 
   const std::string note = std::to_string(triangles) + " triangles, 2 threads";
@@ -147,12 +158,29 @@ void run(BenchReport& report) {
         (void)truth_of(scene, small, most_range_m, threads, seen);
         (void)developed(light_of(scene, lighting, small, seen, threads), {}, 1, threads);
       }));
+  Pose going = pose;
+  going.velocity_m_s = {0.1, 0.4, 0};
+  report.figure(
+      rate_of("smear, rolling shutter, forward scatter, 640 x 360", "frames/s", 1, note, [&] {
+        const LightFrame scattered =
+            scattered_forwards(light, {0.7, 0.007}, small, seen, 0.4, threads);
+        (void)through_shutter(scattered, {0.01, 2.8e-5}, small, going, seen, threads);
+      }));
+  const Warmth warmth;
+  report.figure(rate_of("heat, 640 x 360", "frames/s", 5, note, [&] {
+    (void)truth_of(scene, small, most_range_m, threads, seen);
+    (void)infrared_of(scene, {warmth, lighting.sky, 0, false, 0, lighting.shadows}, {}, small, seen,
+                      1, threads);
+  }));
   const Pose above = looking({14, 3, -8}, {0, 0, -8});
   report.figure(rate_of("lidar, 64 x 2048", "turns/s", 40, note, [&] {
     (void)scanned(scene, *caster, lidar, above, 0.5, most_range_m, 0, 1, threads);
   }));
   report.figure(rate_of("imaging sonar, 512 beams of 256 rays", "pings/s", 30, note,
                         [&] { (void)pinged(scene, *caster, sonar, pose, 0.2, 30, 1, threads); }));
+  report.figure(rate_of("side-scan, 2 sides of 3 slices of 2048 rays", "pings/s", 50, note, [&] {
+    (void)side_scanned(scene, *caster, side_scan, past, 1, 50, 1, threads);
+  }));
 }
 
 }  // namespace

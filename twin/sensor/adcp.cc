@@ -1,12 +1,11 @@
 #include "twin/sensor/adcp.h"
 
-namespace slackwater::twin {
-namespace {
+#include "twin/sensor/bin_mean.h"
 
-/// Mean over a bin about `centre_m` along the axis, with the triangle that reaches half over both
-/// neighbours.
-Triple<double> mean_flow(const Adcp& adcp, const WaterAt& water, const Ray& ray, double centre_m,
-                         double along) {
+namespace slackwater::twin {
+
+Triple<double> bin_mean(const Adcp& adcp, const WaterAt& water, const Ray& ray, double centre_m,
+                        double along) {
   constexpr int half = 4;
   Triple<double> sum;
   for (int k = 1 - half; k < half; ++k) {
@@ -17,8 +16,6 @@ Triple<double> mean_flow(const Adcp& adcp, const WaterAt& water, const Ray& ray,
   }
   return sum;
 }
-
-}  // namespace
 
 double folded(double speed_m_s, double ambiguity_m_s) noexcept {
   const double span = 2 * ambiguity_m_s;
@@ -49,7 +46,7 @@ std::vector<AdcpBin> measured(const Adcp& adcp, NoiseStream& noise, const Scene&
       const double error_m_s = sd_m_s * noise.normal();
       if (centre_m + adcp.bin_m > reach_m[i]) continue;
       const Ray ray{at_m, r.to_ned(beams[i])};
-      const Triple<double> flow = mean_flow(adcp, water, ray, centre_m, along);
+      const Triple<double> flow = bin_mean(adcp, water, ray, centre_m, along);
       speeds[i] = folded(dot(velocity_m_s - flow, ray.direction), adcp.ambiguity_m_s) + error_m_s;
     }
     if (const auto found = janus_velocity(beams, speeds)) {

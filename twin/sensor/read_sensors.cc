@@ -4,6 +4,7 @@
 
 #include "fields/base/angle.h"
 #include "fields/base/text.h"
+#include "twin/sensor/read_adcp.h"
 
 namespace slackwater::twin {
 namespace {
@@ -109,20 +110,6 @@ Dvl read_dvl(const Config& c) {
   return d;
 }
 
-Adcp read_adcp(const Config& c) {
-  Adcp a;
-  take_degrees(c, "slant_deg", {5, 45}, a.slant_rad);
-  take_degrees(c, "azimuth_deg", {-180, 180}, a.azimuth_rad);
-  a.looks_up = c.optional_flag("looks_up").value_or(a.looks_up);
-  take(c, "bin_m", {0.02, 64}, a.bin_m);
-  take(c, "blanking_m", {0, 100}, a.blanking_m);
-  take(c, "bins", 1, 256, a.bins);
-  take(c, "pings", 1, 100000, a.pings);
-  take(c, "noise_sd_m_s", {0, 5}, a.noise_sd_m_s);
-  take(c, "ambiguity_m_s", {0.05, 50}, a.ambiguity_m_s);
-  return a;
-}
-
 RangeSonar read_sonar(const Config& c) {
   RangeSonar s;
   take_degrees(c, "sector_deg", {0.1, 360}, s.sector_rad);
@@ -159,6 +146,20 @@ std::optional<Sensor> read(const Config& sensors, const char* key, Sensor (*one)
 }
 
 }  // namespace
+
+Adcp read_adcp(const Config& c) {
+  Adcp a;
+  take_degrees(c, "slant_deg", {5, 45}, a.slant_rad);
+  take_degrees(c, "azimuth_deg", {-180, 180}, a.azimuth_rad);
+  a.looks_up = c.optional_flag("looks_up").value_or(a.looks_up);
+  take(c, "bin_m", {0.02, 64}, a.bin_m);
+  take(c, "blanking_m", {0, 100}, a.blanking_m);
+  take(c, "bins", 1, 256, a.bins);
+  take(c, "pings", 1, 100000, a.pings);
+  take(c, "noise_sd_m_s", {0, 5}, a.noise_sd_m_s);
+  take(c, "ambiguity_m_s", {0.05, 50}, a.ambiguity_m_s);
+  return a;
+}
 
 Sensors read_sensors(const Config& vehicle) {
   const std::optional<Config> sensors = vehicle.optional_child("sensors");

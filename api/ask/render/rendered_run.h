@@ -17,6 +17,7 @@ struct RenderChoice {
   std::string sensor;   ///< of data/sensors
   std::string vehicle;  ///< empty: the only one, or the first that the sensor's medium suits
   std::string water_type = "coastal_3";  ///< of data/waters: how the water takes colours
+  std::string warmth = "summer_day";     ///< of data/warmth: how warm all is, to infrared
   bool is_overcast = false;
   int threads = 1;
   std::optional<std::filesystem::path> forecast;  ///< of its water, where not in the store

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/ask/render/seen_by.h"
 #include "fields/base/check.h"
+#include "fields/base/constants.h"
 #include "fields/base/text.h"
-#include "twin/render/light/light_frame.h"
 #include "twin/render/scene/place_to_look_at.h"
 #include "twin/render/scene/scene_of_run.h"
 #include "twin/risk/sun_position.h"
@@ -42,21 +43,17 @@ twin::Carriage turned_with(const twin::Pose& pose, const twin::RenderSensor& sen
   return {pose.position_m - turned.to_ned(sensor.position_m), turned, pose.velocity_m_s, {}};
 }
 
-CameraView seen_by(const twin::CameraSheet& camera, const MountedSensor& mounted,
-                   const twin::RenderScene& scene, const twin::Pose& pose,
-                   const twin::Carriage& lamps_on, twin::Lighting lighting, std::uint64_t seed) {
-  const int threads = mounted.threads;
-  const twin::Pinhole pinhole(pose, camera.frame);
-  CameraView seen;
-  seen.matrix = pinhole.matrix();
-  twin::FrameHits hits;
-  seen.truth = twin::truth_of(scene, pinhole, mounted.sensor.most_range_m, threads, hits);
-  for (const twin::MountedLamp& lamp : camera.lamps)
-    lighting.lamps.push_back(twin::lamp_of(lamp, lamps_on));
-  lighting.shadows = twin::shadows_of(scene);
-  seen.picture = twin::developed(twin::light_of(scene, lighting, pinhole, hits, threads),
-                                 camera.sensor, seed, threads);
-  return seen;
+/// Of a clear sky's sun, at right angles to it, W/m2; 0 by night.
+double beam_across_w_m2(double elevation_deg) {
+  return elevation_deg > 0
+             ? twin::clear_beam_w_m2(elevation_deg) / std::sin(elevation_deg * constants::degree)
+             : 0;
+}
+
+std::span<const std::uint16_t> defects_shown(const SeenByDevice& seen) {
+  if (const auto* camera = std::get_if<CameraView>(&seen)) return camera->truth.defect;
+  if (const auto* infrared = std::get_if<InfraredView>(&seen)) return infrared->truth.defect;
+  return {};
 }
 
 }  // namespace
@@ -199,24 +196,14 @@ RenderView SeenRun::look(const MountedSensor& mounted, const SeenMoment& moment)
   // Noise of its own for each moment.
   const auto seed = scenario_.seed ^ static_cast<std::uint64_t>(std::llround(1000 * t_s));
   const twin::Lighting light = lighting(mounted, sampler, view.time);
-  if (const auto* camera = std::get_if<twin::CameraSheet>(&sensor.device)) {
-    CameraView seen = seen_by(*camera, mounted, scene, view.pose, lamps_on, light, seed);
-    for (const std::uint16_t defect : seen.truth.defect)
-      if (defect > 0) ++view.defects[defect - 1U].pixels;
-    view.seen = std::move(seen);
-    return view;
-  }
-  std::vector<twin::TriangleMesh> meshes;
-  for (const twin::SeenThing& thing : scene.things) meshes.push_back(thing.mesh);
-  const twin::RayCaster caster(meshes);
-  const int threads = mounted.threads;
-  if (const auto* lidar = std::get_if<twin::LidarSheet>(&sensor.device))
-    view.seen =
-        twin::scanned(scene, caster, *lidar, view.pose, sensor.least_range_m, sensor.most_range_m,
-                      light.air.beam_attenuation_per_m[twin::green], seed, threads);
-  else
-    view.seen = twin::pinged(scene, caster, std::get<twin::ImagingSonarSheet>(sensor.device),
-                             view.pose, sensor.least_range_m, sensor.most_range_m, seed, threads);
+  const double beam_w_m2 =
+      mounted.is_overcast
+          ? 0
+          : beam_across_w_m2(twin::sun_position(ready_.origin, view.time).elevation_deg);
+  view.seen = seen_by({sensor, scene, view.pose, lamps_on, light, mounted.warmth, beam_w_m2,
+                       mounted.is_overcast, sampler, seed, mounted.threads});
+  for (const std::uint16_t defect : defects_shown(view.seen))
+    if (defect > 0) ++view.defects[defect - 1U].pixels;
   return view;
 }
 

@@ -8,6 +8,7 @@
 #include "api/ask/render/render_view.h"
 #include "twin/inspection/instrument/pose.h"
 #include "twin/render/light/lit_scene.h"
+#include "twin/render/light/warmth.h"
 #include "twin/render/scene/scene_of_run.h"
 #include "twin/run/command.h"
 #include "twin/run/set_up.h"
@@ -19,6 +20,7 @@ struct MountedSensor {
   twin::RenderSensor sensor;
   std::size_t vehicle = 0;  ///< its place among those of the run
   twin::WaterType water_type;
+  twin::Warmth warmth;  ///< to infrared
   bool is_overcast = false;
   int threads = 1;
 };

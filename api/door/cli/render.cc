@@ -11,6 +11,7 @@
 #include "api/door/cli/progress.h"
 #include "api/show/render/picture_labels.h"
 #include "api/show/render/view_file.h"
+#include "api/show/render/waterfall.h"
 #include "fields/base/text.h"
 #include "fields/base/whole_file.h"
 
@@ -74,14 +75,17 @@ std::string name_at(const std::string& sensor, double t_s) {
 json json_of(const RenderView& view, const std::string& name) {
   json out = {{"t_s", view.t_s},
               {"time", format_utc(view.time)},
-              {"png", name + ".png"},
               {"netcdf", name + ".nc"},
               {"position_enu_m",
                {view.pose.position_m.y, view.pose.position_m.x, -view.pose.position_m.z}}};
+  if (!Waterfall::has_line(view)) out["png"] = name + ".png";
   const auto* camera = std::get_if<CameraView>(&view.seen);
-  if (camera == nullptr) return out;
+  const auto* infrared = std::get_if<InfraredView>(&view.seen);
+  if (camera == nullptr && infrared == nullptr) return out;
+  if (camera != nullptr && camera->right) out["right_png"] = name + "_right.png";
+  const twin::TruthFrame& truth = camera != nullptr ? camera->truth : infrared->truth;
   std::map<std::string, std::size_t> classes;
-  for (const twin::SeenClass seen : camera->truth.seen_class) ++classes[twin::name_of(seen)];
+  for (const twin::SeenClass seen : truth.seen_class) ++classes[twin::name_of(seen)];
   out["pixels"] = classes;
   out["defects"] = json::array();
   for (const SeenDefect& defect : view.defects)
@@ -116,12 +120,17 @@ void run_render(const RenderArguments& arguments, const Context& context) {
   ProgressBar progress("render " + choice.log.filename().string(), context.json);
   json frames = json::array();
   PictureLabels labels;
+  Waterfall waterfall;
   std::size_t with_defects = 0;
   for (std::size_t i = 0; i < times_s.size(); ++i) {
     const RenderView view = run.view_at(times_s[i]);
     const std::string name = name_at(choice.sensor, view.t_s);
     write_view_netcdf(view, run, folder / (name + ".nc"));
-    write_view_png(view, folder / (name + ".png"));
+    if (Waterfall::has_line(view))
+      waterfall.add(view);
+    else
+      write_view_png(view, folder / (name + ".png"));
+    (void)write_right_png(view, folder / (name + "_right.png"));
     labels.add(view, name + ".png");
     with_defects += defects_in(view) > 0 ? 1 : 0;
     if (context.json) frames.push_back(json_of(view, name));
@@ -129,11 +138,20 @@ void run_render(const RenderArguments& arguments, const Context& context) {
   }
   if (!labels.coco().at("images").empty())
     write_text(folder / (choice.sensor + "_labels.json"), labels.coco().dump() + "\n");
+  const std::string waterfall_png = choice.sensor + "_waterfall.png";
+  if (!waterfall.is_empty()) waterfall.write(folder / waterfall_png);
   if (context.json) {
-    const json out = {{"log", choice.log.string()}, {"sensor", choice.sensor},
-                      {"vehicle", run.vehicle()},   {"folder", folder.string()},
-                      {"warnings", run.warnings()}, {"frames", frames}};
+    json out = {{"log", choice.log.string()}, {"sensor", choice.sensor},
+                {"vehicle", run.vehicle()},   {"folder", folder.string()},
+                {"warnings", run.warnings()}, {"frames", frames}};
+    if (!waterfall.is_empty()) out["waterfall"] = waterfall_png;
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+    return;
+  }
+  if (!waterfall.is_empty()) {
+    std::printf("%s of %s: %zu ping%s in %s, a .nc each, and %s\n", run.sensor().name.c_str(),
+                run.vehicle().c_str(), times_s.size(), times_s.size() == 1 ? "" : "s",
+                folder.c_str(), waterfall_png.c_str());
     return;
   }
   std::printf("%s of %s: %zu picture%s in %s, a .png and a .nc each", run.sensor().name.c_str(),
@@ -147,8 +165,8 @@ void run_render(const RenderArguments& arguments, const Context& context) {
 
 void add_render(CLI::App& app, Context& context) {
   auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* command =
-      app.add_subcommand("render", "What a camera, lidar or sonar saw on any run, from its log");
+  CLI::App* command = app.add_subcommand(
+      "render", "What a camera, lidar, sonar or ADCP saw on any run, from its log");
   command->add_option("log", arguments->choice.log, "FILE.nc of `slackwater simulate` or `live`")
       ->required();
   command->add_option("--sensor", arguments->choice.sensor, "name of a file in data/sensors")
@@ -160,6 +178,8 @@ void add_render(CLI::App& app, Context& context) {
   command->add_option("--out", arguments->out, "folder of the pictures (default: LOG-SENSOR)");
   command->add_option("--water", arguments->choice.water_type,
                       "how the water takes colours, a file in data/waters (default coastal_3)");
+  command->add_option("--warmth", arguments->choice.warmth,
+                      "how warm all is, to infrared, a file in data/warmth (default summer_day)");
   command->add_flag("--overcast", arguments->choice.is_overcast,
                     "no sun (default: a clear sky, the sun where it stood)");
   command->add_option("--forecast", arguments->forecast,

@@ -5,6 +5,9 @@
 
 #include "api/program/version.h"
 #include "api/show/render/png_file.h"
+#include "api/show/render/sound_file.h"
+#include "api/show/render/view_variables.h"
+#include "api/show/render/waterfall.h"
 #include "fields/base/text.h"
 #include "fields/base/whole_file.h"
 #include "ingest/netcdf/file.h"
@@ -21,6 +24,24 @@ using ingest::netcdf::Writer;
 void write_png_of(const CameraView& seen, const RenderView& /*view*/,
                   const std::filesystem::path& file) {
   write_png(file, seen.picture.wide, seen.picture.high, 3, seen.picture.rgb);
+}
+
+void write_png_of(const InfraredView& seen, const RenderView& /*view*/,
+                  const std::filesystem::path& file) {
+  // From the coldest hundredth to the warmest: a cold sky leaves the rest its tones.
+  std::vector<float> sorted = seen.heat.apparent_k;
+  const auto at = [&](double share) {
+    const auto nth = sorted.begin() +
+                     static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), nth, sorted.end());
+    return *nth;
+  };
+  const float coldest_k = at(0.01), warmest_k = std::max(at(0.99), coldest_k + 0.1F);
+  std::vector<std::uint8_t> grey;
+  for (const float one : seen.heat.apparent_k)
+    grey.push_back(static_cast<std::uint8_t>(
+        255 * std::clamp((one - coldest_k) / (warmest_k - coldest_k), 0.0F, 1.0F)));
+  write_png(file, seen.heat.wide, seen.heat.high, 1, grey);
 }
 
 void write_png_of(const twin::LidarScan& scan, const RenderView& /*view*/,
@@ -63,58 +84,14 @@ void write_png_of(const twin::SonarImage& image, const RenderView& /*view*/,
   write_png(file, image.beams, image.bins, 1, grey);
 }
 
+template <typename Line>
+void write_png_of(const Line& /*line*/, const RenderView& view, const std::filesystem::path& file) {
+  Waterfall alone;
+  alone.add(view);
+  alone.write(file);
+}
+
 // -- truth
-
-/// Variables over the picture's two dimensions, written after all are defined.
-class PictureFile {
- public:
-  PictureFile(Writer& writer, const char* down, std::size_t rows, const char* along,
-              std::size_t columns)
-      : writer_(writer),
-        rows_(rows),
-        columns_(columns),
-        dimensions_{writer.dimension(down, rows), writer.dimension(along, columns)} {}
-
-  template <typename Values>
-  int add(const char* name, Type type, const char* units, const char* words, const Values& values) {
-    Writer::Layout layout;
-    layout.chunks = {std::min<std::size_t>(rows_, 64), columns_};
-    layout.deflate = 1;
-    layout.is_prefilled = false;
-    const int id = writer_.variable(name, type, dimensions_, layout);
-    writer_.attribute(id, "units", units);
-    writer_.attribute(id, "long_name", words);
-    Pending pending{id, {}, {}};
-    if constexpr (std::is_same_v<typename Values::value_type, float>)
-      pending.numbers = values;
-    else
-      for (const auto value : values) pending.whole.push_back(static_cast<std::int64_t>(value));
-    pending_.push_back(std::move(pending));
-    return id;
-  }
-  void write() {
-    const std::array<std::size_t, 2> start{0, 0}, count{rows_, columns_};
-    for (const Pending& one : pending_) {
-      if (one.whole.empty())
-        writer_.write(one.id, start, count, one.numbers);
-      else
-        writer_.write(one.id, start, count, one.whole);
-    }
-  }
-
- private:
-  struct Pending {
-    int id;
-    std::vector<float> numbers;
-    std::vector<std::int64_t> whole;
-  };
-  Writer& writer_;
-  std::size_t rows_, columns_;
-  std::vector<int> dimensions_;
-  std::vector<Pending> pending_;
-};
-
-std::vector<double> enu_of(const twin::Triple<double>& ned) { return {ned.y, ned.x, -ned.z}; }
 
 void say_pose(Writer& writer, const RenderView& view, const RenderedRun& run) {
   const int of = Writer::global;
@@ -135,15 +112,6 @@ void say_pose(Writer& writer, const RenderView& view, const RenderedRun& run) {
   writer.attribute(of, "sensor_down", enu_of(cross(view.pose.axis, view.pose.right)),
                    Type::float64);
   writer.attribute(of, "sensor_axis", enu_of(view.pose.axis), Type::float64);
-}
-
-void say_names(Writer& writer, const RenderView& view, int instance) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < view.things.size(); ++i) {
-    names.push_back(formatted("{} {} ({})", i + 1, view.things[i].name,
-                              twin::name_of(view.things[i].seen_class)));
-  }
-  writer.attribute(instance, "instances", joined(names, ", "));
 }
 
 void say_classes(Writer& writer, int variable) {
@@ -219,16 +187,14 @@ std::vector<float> part_of(const std::vector<std::array<float, 3>>& all, std::si
   return part;
 }
 
-void write_seen(const CameraView& seen, const RenderView& view, Writer& writer) {
-  const twin::TruthFrame& truth = seen.truth;
-  writer.attribute(Writer::global, "camera_matrix", seen.matrix, Type::float64);
+/// The truth of a picture, and its camera.
+void add_truth(const twin::TruthFrame& truth, const std::array<double, 9>& matrix,
+               const RenderView& view, Writer& writer, ViewVariables& picture) {
+  writer.attribute(Writer::global, "camera_matrix", matrix, Type::float64);
   writer.attribute(
       Writer::global, "camera_model",
       "pinhole without distortion; the upper left corner of the picture is (0, 0), the "
       "middle of its first pixel (0.5, 0.5)");
-  writer.attribute(Writer::global, "gain", seen.picture.gain);
-  PictureFile picture(writer, "row", static_cast<std::size_t>(truth.high), "column",
-                      static_cast<std::size_t>(truth.wide));
   picture.add("range", Type::float32, "m", "from the camera along the ray; NaN: nothing",
               truth.range_m);
   picture.add("depth", Type::float32, "m", "along the camera's axis; NaN: nothing", truth.depth_m);
@@ -239,21 +205,59 @@ void write_seen(const CameraView& seen, const RenderView& view, Writer& writer) 
   picture.add("defect", Type::uint16, "1",
               "planted defect that is seen: 1 is the first of dimension planted, 0 none",
               truth.defect);
-  DefectList defects(writer, view);
   picture.add("normal_right", Type::float32, "1", "of the surface, towards the camera",
               part_of(truth.normal, 0));
   picture.add("normal_down", Type::float32, "1", "of the surface, towards the camera",
               part_of(truth.normal, 1));
   picture.add("normal_axis", Type::float32, "1", "of the surface, towards the camera",
               part_of(truth.normal, 2));
+}
+
+ViewVariables pixels_of(const twin::TruthFrame& truth, Writer& writer) {
+  return {writer,
+          {{"row", static_cast<std::size_t>(truth.high)},
+           {"column", static_cast<std::size_t>(truth.wide)}}};
+}
+
+void write_seen(const CameraView& seen, const RenderView& view, Writer& writer) {
+  ViewVariables picture = pixels_of(seen.truth, writer);
+  add_truth(seen.truth, seen.matrix, view, writer, picture);
+  writer.attribute(Writer::global, "gain", seen.picture.gain);
+  if (seen.flakes > 0)
+    writer.attribute(Writer::global, "marine_snow_flakes", static_cast<double>(seen.flakes));
+  DefectList defects(writer, view);
+  if (seen.right) {
+    writer.attribute(Writer::global, "baseline", seen.right->baseline_m);
+    picture.add("disparity", Type::float32, "1",
+                "pixels that it lies farther left in the right picture; NaN: nothing",
+                seen.right->truth.disparity);
+    picture.add("in_both", Type::uint8, "1", "1 where the right camera sees the place, too",
+                seen.right->truth.is_in_both);
+  }
+  writer.end_definitions();
+  picture.write();
+  defects.write();
+}
+
+void write_seen(const InfraredView& seen, const RenderView& view, Writer& writer) {
+  ViewVariables picture = pixels_of(seen.truth, writer);
+  add_truth(seen.truth, seen.matrix, view, writer, picture);
+  picture.add("apparent_temperature", Type::float32, "K",
+              "as told: of a black body that radiates so, with noise", seen.heat.apparent_k);
+  picture.add("radiance", Type::float32, "W m-2 sr-1", "that comes in the band, without noise",
+              seen.heat.radiance);
+  picture.add("surface_temperature", Type::float32, "K", "of the place; NaN: sky",
+              seen.heat.temperature_k);
+  picture.add("emissivity", Type::float32, "1", "of the place; NaN: sky", seen.heat.emissivity);
+  DefectList defects(writer, view);
   writer.end_definitions();
   picture.write();
   defects.write();
 }
 
 void write_seen(const twin::LidarScan& scan, const RenderView& view, Writer& writer) {
-  PictureFile picture(writer, "channel", static_cast<std::size_t>(scan.channels), "column",
-                      static_cast<std::size_t>(scan.columns));
+  ViewVariables picture(writer, {{"channel", static_cast<std::size_t>(scan.channels)},
+                                 {"column", static_cast<std::size_t>(scan.columns)}});
   picture.add("range", Type::float32, "m", "as told; NaN: nothing came back", scan.range_m);
   picture.add("true_range", Type::float32, "m", "of what the pulse met; NaN: nothing",
               scan.true_range_m);
@@ -266,8 +270,8 @@ void write_seen(const twin::LidarScan& scan, const RenderView& view, Writer& wri
 
 void write_seen(const twin::SonarImage& image, const RenderView& view, Writer& writer) {
   (void)view;
-  PictureFile picture(writer, "beam", static_cast<std::size_t>(image.beams), "bin",
-                      static_cast<std::size_t>(image.bins));
+  ViewVariables picture(writer, {{"beam", static_cast<std::size_t>(image.beams)},
+                                 {"bin", static_cast<std::size_t>(image.bins)}});
   picture.add("intensity", Type::float32, "1",
               "of the echo, of a source of 1 at 1 m, with speckle and noise", image.intensity);
   picture.add("mean_intensity", Type::float32, "1", "the same without speckle and noise",
@@ -280,6 +284,14 @@ void write_seen(const twin::SonarImage& image, const RenderView& view, Writer& w
 
 void write_view_png(const RenderView& view, const std::filesystem::path& file) {
   std::visit([&](const auto& seen) { write_png_of(seen, view, file); }, view.seen);
+}
+
+bool write_right_png(const RenderView& view, const std::filesystem::path& file) {
+  const auto* camera = std::get_if<CameraView>(&view.seen);
+  if (camera == nullptr || !camera->right) return false;
+  const twin::Picture& picture = camera->right->picture;
+  write_png(file, picture.wide, picture.high, 3, picture.rgb);
+  return true;
 }
 
 void write_view_netcdf(const RenderView& view, const RenderedRun& run,

@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
-#include "tests/twin/inspection/meshes_for_tests.h"
-#include "tests/twin/render/render_for_tests.h"
+#include "tests/twin/render/ranging_for_tests.h"
 #include "twin/render/ranging/imaging_sonar.h"
 #include "twin/render/ranging/lidar.h"
 
@@ -12,47 +11,6 @@ namespace slackwater::twin::ranging_test {
 namespace {
 
 constexpr double far_m = 60;
-
-struct Cast {
-  RenderScene scene;
-  RayCaster caster;
-
-  explicit Cast(TriangleMesh mesh)
-      : scene(of(std::move(mesh))), caster(std::vector<TriangleMesh>{scene.things[0].mesh}) {}
-  static RenderScene of(TriangleMesh mesh) {
-    RenderScene scene;
-    scene.things.push_back({"thing", SeenClass::structure, Material::none, std::move(mesh)});
-    return scene;
-  }
-};
-
-/// An upright wall, facing south, `ahead_m` north.
-TriangleMesh wall_mesh(double ahead_m) {
-  return {{ahead_m, 0, 0},
-          {{0, -200, -200}, {0, 200, -200}, {0, 200, 200}, {0, -200, 200}},
-          {{0, 2, 1}, {0, 3, 2}}};
-}
-
-/// A sphere north of the origin.
-TriangleMesh sphere_mesh(double ahead_m, double radius_m, std::uint32_t rings) {
-  TriangleMesh mesh;
-  mesh.origin_m = {ahead_m, 0, 0};
-  const std::uint32_t round = 2 * rings;
-  for (std::uint32_t k = 0; k <= rings; ++k)
-    for (std::uint32_t i = 0; i < round; ++i) {
-      const double up = constants::pi * k / rings, turn = 2 * constants::pi * i / round;
-      mesh.corners.push_back({static_cast<float>(radius_m * std::sin(up) * std::cos(turn)),
-                              static_cast<float>(radius_m * std::sin(up) * std::sin(turn)),
-                              static_cast<float>(-radius_m * std::cos(up))});
-    }
-  for (std::uint32_t k = 0; k < rings; ++k)
-    for (std::uint32_t i = 0; i < round; ++i) {
-      const std::uint32_t a = k * round + i, b = k * round + (i + 1) % round;
-      mesh.triangles.push_back({a, b, b + round});
-      mesh.triangles.push_back({a, b + round, a + round});
-    }
-  return mesh;
-}
 
 const Pose& ahead() {
   static const Pose pose = looking({0, 0, 0}, {1, 0, 0});
@@ -185,27 +143,6 @@ TEST(ImagingSonar, IsTheSameOnAnyNumberOfThreadsAndInstructionSet) {
   EXPECT_EQ(one.intensity, three.intensity);
 }
 
-TEST(Multibeam, DepthOfALevelBedIsWithinItsStatedNoise) {
-  const Cast cast(level_mesh({-100, -100, 15}, 10, 20, 20));
-  // Looks down, the beams across: east to the right of a bow to the north.
-  Pose pose = looking({0, 0, 0}, {0, 0, 1});
-  pose.right = {0, 1, 0};
-  const auto soundings = sounded(cast.caster, pose, 512, 2.0, 0.02, 0.001, 0.5, far_m, 9);
-  ImagingSonarSheet fan;
-  fan.beams = 512;
-  fan.across_rad = 2.0;
-  double squares = 0;
-  for (int beam = 0; beam < 512; ++beam) {
-    const Sounding& one = soundings[static_cast<std::size_t>(beam)];
-    const double range_m = 15 / std::cos(sonar_bearing_rad(fan, beam));
-    EXPECT_NEAR(one.true_range_m, range_m, 1e-4);
-    const double sd_m = 0.02 + 0.001 * range_m;
-    EXPECT_LT(std::abs(one.range_m - range_m), 5 * sd_m);
-    squares += std::pow((one.range_m - range_m) / sd_m, 2) / 512;
-  }
-  EXPECT_NEAR(squares, 1, 0.25);
-}
-
 LidarSheet small_lidar() {
   LidarSheet sheet;
   sheet.channels = 16;
@@ -253,6 +190,42 @@ TEST(Lidar, RangesOfASphereAndItsBearings) {
       if (cosine <= 0 || beside2 > 3.9) continue;
       EXPECT_NEAR(scan.true_range_m[at], 10 * cosine - std::sqrt(4 - beside2), 5e-3);
     }
+}
+
+// Of pulses at a wall r off 1 - exp(-k r) meet a drop first; some of them are told, at ranges whose
+// share below x is 1 - exp(-k x). The truth does not change.
+TEST(Lidar, DropsInTheAirTakeAsManyAsStated) {
+  const Cast cast(wall_mesh(20));
+  LidarSheet sheet = small_lidar();
+  sheet.noise_sd_m = 0;
+  sheet.headroom = 100;
+  const LidarScan clear = scanned(cast.scene, cast.caster, sheet, ahead(), 0.01, far_m, 0, 3, 1);
+  sheet.drops_per_m = 0.02;
+  sheet.drops_told = 0.3;
+  double pulses = 0, told_of_drop = 0, nothing = 0, expected = 0, near = 0, expected_near = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const LidarScan wet = scanned(cast.scene, cast.caster, sheet, ahead(), 0.01, far_m, 0, seed, 2);
+    for (std::size_t i = 0; i < clear.range_m.size(); ++i) {
+      if (std::isnan(clear.true_range_m[i])) continue;
+      ASSERT_EQ(wet.true_range_m[i], clear.true_range_m[i]);
+      EXPECT_EQ(wet.instance[i], 1);
+      const double r = static_cast<double>(clear.true_range_m[i]);
+      ++pulses;
+      expected += 1 - std::exp(-0.02 * r);
+      expected_near += 0.3 * (1 - std::exp(-0.02 * 10));
+      if (std::isnan(wet.range_m[i])) {
+        ++nothing;
+      } else if (static_cast<double>(wet.range_m[i]) < r - 0.002) {
+        ++told_of_drop;
+        near += wet.range_m[i] < 10 ? 1 : 0;
+      }
+    }
+  }
+  const double sd = std::sqrt(expected);
+  EXPECT_GT(pulses, 20000);
+  EXPECT_NEAR(nothing + told_of_drop, expected, 4 * sd);
+  EXPECT_NEAR(told_of_drop, 0.3 * expected, 4 * std::sqrt(0.3) * sd);
+  EXPECT_NEAR(near, expected_near, 4 * std::sqrt(expected_near));
 }
 
 TEST(Lidar, FogTakesItsLightTwiceAndDropOutsAreAsManyAsStated) {

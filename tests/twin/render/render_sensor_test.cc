@@ -50,7 +50,7 @@ TEST(RenderSensor, EveryFileOfTheFolderIsOne) {
     EXPECT_NEAR(length_of(sensor.axis), 1, 1e-12) << entry.path();
     ++read;
   }
-  EXPECT_GE(read, 5U);
+  EXPECT_GE(read, 13U);
   for (const auto& entry : std::filesystem::directory_iterator(data() / "waters")) {
     const WaterType type = read_named_water_type(entry.path().stem().string(), data());
     EXPECT_FALSE(type.source.empty()) << entry.path();
@@ -81,9 +81,56 @@ TEST(RenderSensor, WhatCannotBeIsOneClearError) {
                  "frame: {horizontal_deg: 60, vertical_deg: 2, pixels_wide: 64, "
                  "pixels_high: 48, exposure_s: 0}"),
          "leave it out for square ones");
+  expect(said_of("marine_snow",
+                 "marine_snow: {per_m3: 1e5, diameter_mm: 1, reflectance: 0.3, nearest_m: 0.1, "
+                 "reach_m: 10}"),
+         "flakes a picture, expected 1000000 at most");
+  expect(said_of("marine_snow",
+                 "marine_snow: {per_m3: 1, diameter_mm: 1, reflectance: 0.3, nearest_m: 3, "
+                 "reach_m: 2}"),
+         "expected more than nearest_m");
+  expect(said_of("shutter", "shutter: {line_time_s: 1}"), "line_time_s");
+  expect(said_of("stereo", "stereo: {baseline_m: 0}"), "baseline_m");
   expect(said_of("lamps", "lamps: [{position_m: [0, 0], range_m: 2, beam_deg: 100}]"),
          "expected three");
   EXPECT_THROW((void)read_named_render_sensor("no_such", data()), Error);
+}
+
+/// What is said of a file.
+std::string said_of_file(const std::string& yaml) {
+  try {
+    (void)read_render_sensor(
+        Config::parse("name: test\nsource: test\nstatus: estimate\n" + yaml, "test.yaml"));
+  } catch (const Error& problem) {
+    return problem.message();
+  }
+  return "";
+}
+
+TEST(RenderSensor, OfSoundOrHeatThatCannotBeIsOneClearError) {
+  const auto expect = [](const std::string& yaml, const std::string& part) {
+    EXPECT_NE(said_of_file(yaml).find(part), std::string::npos) << said_of_file(yaml);
+  };
+  const std::string adcp =
+      "kind: adcp\nmedium: water\naxis: [0, 0, 1]\nrange_m: [1, 40]\nadcp: {bins: 30, bin_m: 1";
+  EXPECT_EQ(said_of_file(adcp + "}\n"), "");
+  expect(adcp + ", looks_up: true}\n", "is said by `axis`");
+  // 0.9 m of blanking and 41 bins are 41.9 m, and 44.6 along a beam at 20 degrees.
+  expect("kind: adcp\nmedium: water\nrange_m: [1, 40]\nadcp: {bins: 40, bin_m: 1}\n",
+         "found up to 40 m, expected 44.6 m or more");
+  const std::string side_scan =
+      "kind: side_scan\nrange_m: [1, 50]\nside_scan: {beam_deg: 0.3, upright_deg: 50, "
+      "depression_deg: 35, bins: 100, absorption_db_m: 0.3}\nmedium: ";
+  EXPECT_EQ(said_of_file(side_scan + "water\n"), "");
+  const std::string infrared =
+      "kind: infrared\nmedium: air\nrange_m: [1, 50]\nframe: {horizontal_deg: 45, pixels_wide: "
+      "64, pixels_high: 48, exposure_s: 0.01}\ninfrared: {netd_k: 0.05, band_um: ";
+  EXPECT_EQ(said_of_file(infrared + "[8, 14]}\n"), "");
+  expect(infrared + "[14, 8]}\n", "the shorter first");
+  expect(side_scan + "air\n", "found air; a sensor of the kind side_scan works in water alone");
+  expect("kind: multibeam\nmedium: water\nrange_m: [1, 50]\nmultibeam: {beams: 1}\n", "beams");
+  expect("kind: echo_sounder\nmedium: water\nrange_m: [1, 50]\n", "echo_sounder");
+  expect("kind: echosounder\nmedium: water\nrange_m: [1, 50]\n", "did you mean 'echo_sounder'?");
 }
 
 TEST(RenderSensor, OutsideItsMediumIsOneClearError) {

@@ -124,6 +124,10 @@ double step_between(double from, double to, double x) noexcept {
   return t * t * (3 - 2 * t);
 }
 
+Material material_at(const SeenThing& thing, const DefectMark* mark) noexcept {
+  return mark != nullptr ? material_of(mark->kind) : thing.material;
+}
+
 Bands albedo_at(const SeenThing& thing, const DefectMark* mark, const Triple<double>& at_m,
                 double growth, std::uint64_t seed) noexcept {
   if (mark != nullptr) return albedo_of(material_of(mark->kind), at_m, seed);

@@ -33,4 +33,8 @@ namespace slackwater::twin {
 /// 0 below `from`, 1 above `to`, smooth between.
 [[nodiscard]] double step_between(double from, double to, double x) noexcept;
 
+/// What a place of a thing is of: of its own, or what a defect lays bare.
+/// @param mark  that holds the place; null: none
+[[nodiscard]] Material material_at(const SeenThing& thing, const DefectMark* mark) noexcept;
+
 }  // namespace slackwater::twin

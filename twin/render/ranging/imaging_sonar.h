@@ -19,10 +19,8 @@ struct ImagingSonarSheet {
   int bins = 512;             ///< of range, from 0 to the longest
   double frequency_hz = 750e3;
   double absorption_db_m = 0.25;  ///< one way
-  /// Level of the echo of a square metre of the bed that is met squarely, mu, in dB: Lambert's law
-  /// S = 10 log10(mu) + 10 log10(cos^2 i), with Mackenzie's 27 dB below.
-  double mackenzie_db = -27;
-  double noise_floor = 1e-9;  ///< intensity of noise in a bin, in the units of the picture
+  double mackenzie_db = -27;      ///< 10 log10(mu) of the bed: echo.h
+  double noise_floor = 1e-9;      ///< intensity of noise in a bin, in the units of the picture
 };
 
 /// A picture: beams from left to right by bins from near to far.
@@ -37,34 +35,15 @@ struct SonarImage {
 [[nodiscard]] double sonar_bearing_rad(const ImagingSonarSheet& sheet, int beam) noexcept;
 
 /// One ping. Each beam is cut into as many rays upright as the sheet says, evenly over three
-/// half-power widths; what a ray of solid angle dW meets at range r throws back, of a source of
-/// intensity 1 at 1 m,
+/// half-power widths; what a ray throws back (echo.h) falls into the bin of its range. Its solid
+/// angle is the beam's width times cos(e) de, and b the pattern of a beam upright.
 ///
-///   dI = mu cos^2(i) dA b(e)^2 10^(-2 a r / 10) / r^4,   dA = r^2 dW / cos(i)
-///      = mu cos(i) dW b(e)^2 10^(-2 a r / 10) / r^2
-///
-/// (Lambert's law after Mackenzie 1961, J. Acoust. Soc. Am. 33, 1498; spherical spreading there and
-/// back) into the bin of r. dW = beam's width times cos(e) de; b is the pattern of a beam upright,
-/// exp(-ln 2 (2 e / upright)^2), once out and once in. The surface of the sea, seen from below,
-/// throws back as the bed does (an estimate), and nothing comes by way of it.
-///
-/// Speckle: the intensity of a bin is that times an exponential random number of mean 1 (Rayleigh's
-/// amplitude: many scatterers), by (seed, beam, bin) alone; noise is added likewise.
+/// Speckle: the intensity of a bin is that times an exponential random number of mean 1, by (seed,
+/// beam, bin) alone; noise is added likewise.
 /// @param caster  of the scene's things, in their order
 [[nodiscard]] SonarImage pinged(const RenderScene& scene, const RayCaster& caster,
                                 const ImagingSonarSheet& sheet, const Pose& pose,
                                 double least_range_m, double most_range_m, std::uint64_t seed,
                                 int threads);
-
-/// A multibeam's ping: the same beams, but each told as one range, along its middle. Nothing where
-/// it meets nothing. Noise is normal, by (seed, beam).
-struct Sounding {
-  float range_m = 0;  ///< NaN: none
-  float true_range_m = 0;
-};
-[[nodiscard]] std::vector<Sounding> sounded(const RayCaster& caster, const Pose& pose, int beams,
-                                            double across_rad, double noise_sd_m,
-                                            double noise_per_range, double least_range_m,
-                                            double most_range_m, std::uint64_t seed);
 
 }  // namespace slackwater::twin

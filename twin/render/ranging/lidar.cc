@@ -22,6 +22,11 @@ double elevation_rad(const LidarSheet& sheet, int channel) noexcept {
   return sheet.lowest_rad + (sheet.highest_rad - sheet.lowest_rad) * channel / steps;
 }
 
+float told_range(const LidarSheet& sheet, double range_m, std::uint64_t key) noexcept {
+  const double noisy = range_m + sheet.noise_sd_m * normal_at(key);
+  return static_cast<float>(std::max(0.0, std::floor(noisy / sheet.step_m + 0.5) * sheet.step_m));
+}
+
 }  // namespace
 
 Triple<double> lidar_direction(const LidarSheet& sheet, const Pose& pose, int channel,
@@ -47,8 +52,16 @@ LidarScan scanned(const RenderScene& scene, const RayCaster& caster, const Lidar
       const Ray ray{pose.position_m, lidar_direction(sheet, pose, static_cast<int>(channel),
                                                      static_cast<int>(column))};
       const auto hit = caster.first_hit(ray, most_range_m);
-      if (!hit || hit->range_m < least_range_m) continue;
       const std::size_t at = channel * columns + column;
+      bool is_of_drop = false;
+      if (sheet.drops_per_m > 0) {
+        const std::uint64_t key = noise_key(seed, channel, column);
+        const double drop_m = -logarithm(1 - even_at(key ^ 2U)) / sheet.drops_per_m;
+        is_of_drop = drop_m < (hit ? hit->range_m : most_range_m);
+        if (is_of_drop && drop_m >= least_range_m && even_at(key ^ 3U) < sheet.drops_told)
+          scan.range_m[at] = told_range(sheet, drop_m, key);
+      }
+      if (!hit || hit->range_m < least_range_m) continue;
       const SeenThing& thing = scene.things[hit->mesh];
       const double range_m = hit->range_m;
       scan.true_range_m[at] = static_cast<float>(range_m);
@@ -66,10 +79,8 @@ LidarScan scanned(const RenderScene& scene, const RayCaster& caster, const Lidar
           sheet.headroom * back * far * far * fading(2 * attenuation_per_m * range_m);
       scan.intensity[at] = static_cast<float>(told);
       const std::uint64_t key = noise_key(seed, channel, column);
-      if (told < 1 || even_at(key ^ 1U) < sheet.dropout) continue;
-      const double noisy = range_m + sheet.noise_sd_m * normal_at(key);
-      scan.range_m[at] =
-          static_cast<float>(std::max(0.0, std::floor(noisy / sheet.step_m + 0.5) * sheet.step_m));
+      if (is_of_drop || told < 1 || even_at(key ^ 1U) < sheet.dropout) continue;
+      scan.range_m[at] = told_range(sheet, range_m, key);
     }
   });
   return scan;

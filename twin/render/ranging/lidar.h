@@ -21,14 +21,17 @@ struct LidarSheet {
   /// comes back with so many times the least that is told: less is a drop-out.
   double headroom = 5;
   double dropout = 0.002;  ///< share of pulses that are lost anyway
+  /// Drops in the air, of spray or rain: how many a pulse meets on a metre of its way out.
+  double drops_per_m = 0;
+  double drops_told = 0.2;  ///< share of those met that throw back enough to be told as a range
 };
 
 /// What one turn of a scanner measured, channel by channel.
 struct LidarScan {
   int channels = 0;
   int columns = 0;
-  std::vector<float> range_m;           ///< as told, with noise; NaN: nothing came back
-  std::vector<float> true_range_m;      ///< of what the pulse met; NaN: nothing within reach
+  std::vector<float> range_m;       ///< as told, with noise, some of drops; NaN: nothing came back
+  std::vector<float> true_range_m;  ///< of what the pulse met; NaN: nothing within reach
   std::vector<std::uint16_t> instance;  ///< 1 + the thing's place; 0: nothing
   std::vector<float> intensity;         ///< of the least that is told
 };
@@ -43,7 +46,10 @@ struct LidarScan {
 ///
 /// with A the albedo of red, near what lidars see (an estimate), i off the normal: a Lambert face
 /// that the whole beam meets. Water throws nothing back but within 2 degrees of squarely (a
-/// mirror). Noise is normal, drop-outs even; both rest on (seed, channel, column) alone.
+/// mirror). A pulse meets its first drop at an exponential range of mean 1/drops_per_m: where that
+/// is before what it would meet, or nothing stands within reach, the drop is told as its range, or
+/// none is. So of pulses at r a share 1 - exp(-drops_per_m r) is lost. Noise is normal, drop-outs
+/// even; both rest on (seed, channel, column) alone.
 /// @param caster  of the scene's things, in their order, with the sea among them
 [[nodiscard]] LidarScan scanned(const RenderScene& scene, const RayCaster& caster,
                                 const LidarSheet& sheet, const Pose& pose, double least_range_m,

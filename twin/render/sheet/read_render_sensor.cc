@@ -5,6 +5,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/curve/named_file.h"
+#include "twin/render/sheet/read_ranging_sheet.h"
 #include "twin/render/sheet/render_sensor.h"
 
 namespace slackwater::twin {
@@ -68,6 +69,33 @@ FrameFootprint read_lens(const Config& c) {
   return frame;
 }
 
+void read_effects(const Config& c, CameraSheet& camera) {
+  if (const auto shutter = c.optional_child("shutter"))
+    camera.shutter = {camera.frame.exposure_s, shutter->number("line_time_s", {0, 0.01})};
+  if (const auto scatter = c.optional_child("forward_scatter"))
+    camera.forward_scatter = {scatter->number("per_length", {0, 10}),
+                              constants::degree * scatter->number("spread_deg", {0, 10})};
+  const auto snow = c.optional_child("marine_snow");
+  if (!snow) return;
+  MarineSnow flakes;
+  flakes.per_m3 = snow->number("per_m3", {0, 1e5});
+  flakes.diameter_m = 1e-3 * snow->number("diameter_mm", {0.05, 50});
+  flakes.reflectance = snow->number("reflectance", {0, 1});
+  flakes.nearest_m = snow->number("nearest_m", {0.01, 10});
+  flakes.reach_m = snow->number("reach_m", {0.02, 20});
+  if (!(flakes.nearest_m < flakes.reach_m))
+    snow->refuse("reach_m", "expected more than nearest_m; no flake would be seen");
+  constexpr double most_flakes = 1e6;
+  const Pinhole camera_at({{}, {1, 0, 0}, {0, 1, 0}, {}, {}}, camera.frame);
+  const double mean =
+      flakes.per_m3 * volume_in_view_m3(camera_at, flakes.nearest_m, flakes.reach_m);
+  if (mean > most_flakes)
+    snow->refuse("per_m3", formatted("makes {:.0f} flakes a picture, expected {:.0f} at most; "
+                                     "take fewer, or a shorter reach_m",
+                                     mean, most_flakes));
+  camera.marine_snow = flakes;
+}
+
 CameraSheet read_camera(const Config& c) {
   CameraSheet camera;
   camera.frame = read_lens(c.child("frame"));
@@ -76,6 +104,9 @@ CameraSheet read_camera(const Config& c) {
     camera.sensor.read_noise_e = sensor->number("read_noise_e", {0, 1000});
     camera.sensor.most_gain = sensor->optional_number("most_gain", {1, 1000}).value_or(16);
   }
+  if (const auto pair = c.optional_child("stereo"))
+    camera.baseline_m = pair->number("baseline_m", {0.001, 20});
+  read_effects(c, camera);
   for (const Config& one : c.children("lamps")) {
     MountedLamp lamp;
     lamp.position_m = read_triple(one, "position_m", {-50, 50});
@@ -87,34 +118,62 @@ CameraSheet read_camera(const Config& c) {
   return camera;
 }
 
-LidarSheet read_lidar(const Config& c) {
-  LidarSheet lidar;
-  lidar.channels = c.integer("channels", 1, 1024);
-  lidar.columns = c.integer("columns", 1, 16384);
-  lidar.lowest_rad = constants::degree * c.number("lowest_deg", {-90, 90});
-  lidar.highest_rad = constants::degree * c.number("highest_deg", {-90, 90});
-  if (!(lidar.highest_rad >= lidar.lowest_rad))
-    c.refuse("highest_deg", "is below lowest_deg; elevations are counted upwards");
-  lidar.noise_sd_m = c.number("noise_sd_m", {0, 10});
-  lidar.step_m = c.optional_number("step_m", {1e-6, 1}).value_or(0.001);
-  lidar.headroom = c.optional_number("headroom", {1, 1e6}).value_or(5);
-  lidar.dropout = c.number("dropout", {0, 1});
-  return lidar;
+InfraredSheet read_infrared(const Config& c) {
+  InfraredSheet infrared;
+  infrared.frame = read_lens(c.child("frame"));
+  const Config of = c.child("infrared");
+  const auto band_um = of.numbers("band_um", {1, 100});
+  if (band_um.size() != 2 || !(band_um[0] < band_um[1]))
+    of.refuse("band_um", "expected two wavelengths in micrometres, the shorter first");
+  infrared.sensor.from_m = 1e-6 * band_um[0];
+  infrared.sensor.to_m = 1e-6 * band_um[1];
+  infrared.sensor.netd_k = of.number("netd_k", {0, 10});
+  return infrared;
 }
 
-ImagingSonarSheet read_sonar(const Config& c) {
-  ImagingSonarSheet sonar;
-  sonar.beams = c.integer("beams", 2, 4096);
-  sonar.across_rad = constants::degree * c.number("across_deg", {1, 180});
-  sonar.beam_rad = constants::degree * c.number("beam_deg", {0.01, 45});
-  sonar.upright_rad = constants::degree * c.number("upright_deg", {0.1, 60});
-  sonar.rays = c.optional_integer("rays", 8, 4096).value_or(256);
-  sonar.bins = c.integer("bins", 8, 8192);
-  sonar.frequency_hz = 1e3 * c.number("frequency_khz", {10, 5000});
-  sonar.absorption_db_m = c.number("absorption_db_m", {0, 5});
-  sonar.mackenzie_db = c.optional_number("mackenzie_db", {-80, 10}).value_or(-27);
-  sonar.noise_floor = c.optional_number("noise_floor", {0, 1}).value_or(1e-9);
-  return sonar;
+/// What a kind needs to be, and how its part of the file is read.
+struct KindOfSensor {
+  const char* name;
+  std::optional<SensorMedium> needs;  ///< absent: works in any
+  RenderDevice (*read)(const Config& sensor);
+};
+
+const std::vector<KindOfSensor>& kinds_of_sensors() {
+  static const std::vector<KindOfSensor> kinds{
+      {"camera", std::nullopt, [](const Config& c) -> RenderDevice { return read_camera(c); }},
+      {"infrared", SensorMedium::air,
+       [](const Config& c) -> RenderDevice { return read_infrared(c); }},
+      {"lidar", SensorMedium::air,
+       [](const Config& c) -> RenderDevice { return read_lidar_sheet(c.child("lidar")); }},
+      {"imaging_sonar", SensorMedium::water,
+       [](const Config& c) -> RenderDevice { return read_imaging_sonar_sheet(c.child("sonar")); }},
+      {"side_scan", SensorMedium::water,
+       [](const Config& c) -> RenderDevice { return read_side_scan_sheet(c.child("side_scan")); }},
+      {"multibeam", SensorMedium::water,
+       [](const Config& c) -> RenderDevice { return read_multibeam_sheet(c.child("multibeam")); }},
+      {"echo_sounder", SensorMedium::water,
+       [](const Config& c) -> RenderDevice {
+         return read_echo_sounder_sheet(c.child("echo_sounder"));
+       }},
+      {"adcp", SensorMedium::water,
+       [](const Config& c) -> RenderDevice { return read_profiler_sheet(c); }},
+  };
+  return kinds;
+}
+
+const KindOfSensor& read_kind(const Config& c, SensorMedium medium) {
+  const std::string kind = c.text("kind");
+  std::vector<std::string> known;
+  for (const KindOfSensor& one : kinds_of_sensors()) {
+    known.emplace_back(one.name);
+    if (kind != one.name) continue;
+    if (one.needs && *one.needs != medium)
+      c.refuse("medium", formatted("found {}; a sensor of the kind {} works in {} alone",
+                                   name_of(medium), kind, name_of(*one.needs)));
+    return one;
+  }
+  c.refuse("kind",
+           "found " + kind + did_you_mean(kind, known) + ", expected " + joined(known, ", "));
 }
 
 }  // namespace
@@ -136,23 +195,7 @@ RenderSensor read_render_sensor(const Config& c) {
     c.refuse("range_m", "expected two numbers, the lesser first: from where and how far it sees");
   sensor.least_range_m = range[0];
   sensor.most_range_m = range[1];
-  const std::string kind = c.text("kind");
-  if (kind == "camera") {
-    sensor.device = read_camera(c);
-  } else if (kind == "lidar") {
-    sensor.device = read_lidar(c.child("lidar"));
-    if (sensor.medium != SensorMedium::air)
-      c.refuse("medium", "found " + std::string(name_of(sensor.medium)) +
-                             "; a lidar of this kind works in air alone");
-  } else if (kind == "imaging_sonar") {
-    sensor.device = read_sonar(c.child("sonar"));
-    if (sensor.medium != SensorMedium::water)
-      c.refuse("medium",
-               "found " + std::string(name_of(sensor.medium)) + "; a sonar works in water alone");
-  } else {
-    c.refuse("kind", "found " + kind + did_you_mean(kind, {"camera", "lidar", "imaging_sonar"}) +
-                         ", expected camera, lidar or imaging_sonar");
-  }
+  sensor.device = read_kind(c, sensor.medium).read(c);
   c.expect_all_read();
   return sensor;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -7,10 +8,18 @@
 #include "fields/base/config.h"
 #include "twin/inspection/instrument/instrument.h"
 #include "twin/inspection/instrument/pose.h"
+#include "twin/render/light/forward_scatter.h"
+#include "twin/render/light/infrared_frame.h"
 #include "twin/render/light/lit_scene.h"
+#include "twin/render/light/marine_snow.h"
 #include "twin/render/light/picture.h"
+#include "twin/render/light/shutter.h"
+#include "twin/render/ranging/current_profile.h"
+#include "twin/render/ranging/echo_sounder.h"
 #include "twin/render/ranging/imaging_sonar.h"
 #include "twin/render/ranging/lidar.h"
+#include "twin/render/ranging/multibeam.h"
+#include "twin/render/ranging/side_scan.h"
 
 namespace slackwater::twin {
 
@@ -30,7 +39,22 @@ struct CameraSheet {
   FrameFootprint frame;
   ImageSensor sensor;
   std::vector<MountedLamp> lamps;
+  /// Of a pair: how far to the right of it the second camera is, which is like it. 0: it is alone.
+  double baseline_m = 0;
+  // What a picture costs more for; absent: left out. The truth knows nothing of it.
+  std::optional<Shutter> shutter;  ///< of a camera that moves while it sees
+  std::optional<ForwardScatter> forward_scatter;
+  std::optional<MarineSnow> marine_snow;
 };
+
+/// A camera of heat.
+struct InfraredSheet {
+  FrameFootprint frame;
+  InfraredSensor sensor;
+};
+
+using RenderDevice = std::variant<CameraSheet, InfraredSheet, LidarSheet, ImagingSonarSheet,
+                                  SideScanSheet, MultibeamSheet, EchoSounderSheet, Adcp>;
 
 /// What sees, as data/sensors has it: on the hull, along an axis.
 struct RenderSensor {
@@ -45,7 +69,7 @@ struct RenderSensor {
   bool is_aimed = false;
   double least_range_m = 0;
   double most_range_m = 0;
-  std::variant<CameraSheet, LidarSheet, ImagingSonarSheet> device;
+  RenderDevice device;
 
   [[nodiscard]] bool is_camera() const noexcept {
     return std::holds_alternative<CameraSheet>(device);
@@ -57,18 +81,28 @@ struct RenderSensor {
 ///     name: Camera of a small ROV
 ///     source: ...
 ///     status: estimate
-///     kind: camera                 # or lidar, imaging_sonar
+///     kind: camera                 # or infrared, lidar, imaging_sonar, side_scan, multibeam,
+///                                  # echo_sounder, adcp
 ///     medium: water                # or air, both: outside of it, it sees nothing
 ///     position_m: [0.2, 0, 0]      # body axes: forward, right, down
 ///     axis: [1, 0, 0]
 ///     aim: surface                 # optional: turned to what is inspected
 ///     range_m: [0.05, 12]
 ///     frame: {horizontal_deg, vertical_deg (square pixels if absent), pixels_wide, pixels_high,
-///             exposure_s}                                                        # of a camera
+///             exposure_s}                                            # of a camera, of infrared
 ///     sensor: {full_well_e, read_noise_e, most_gain}                             # of a camera
+///     infrared: {band_um: [8, 14], netd_k: 0.05}                     # of an infrared camera
+///     stereo: {baseline_m}         # of a pair of cameras: what is said is of the left one
+///     shutter: {line_time_s}                  # optional: what moves smears, row after row
+///     forward_scatter: {per_length, spread_deg}                   # optional: water that blurs
+///     marine_snow: {per_m3, diameter_mm, reflectance, nearest_m, reach_m}           # optional
 ///     lamps: [{position_m, axis, range_m, beam_deg (whole)}, ...]                # of a camera
 ///     lidar: {channels, lowest_deg, highest_deg, columns, noise_sd_m, dropout, ...}   # lidar.h
 ///     sonar: {beams, across_deg, beam_deg, upright_deg, rays, bins, ...}    # imaging_sonar.h
+///     side_scan: {beam_deg, upright_deg, depression_deg, bins, ...}         # side_scan.h
+///     multibeam: {beams, across_deg, beam_across_deg, beam_along_deg, ...}  # multibeam.h
+///     echo_sounder: {beam_deg, bins, noise_sd_m, ...}                       # echo_sounder.h
+///     adcp: {slant_deg, bins, bin_m, blanking_m, noise_sd_m_s, ...}         # current_profile.h
 ///
 /// @throws Error(invalid_input) for a lens or a fan that cannot be, a kind that is not known, keys
 ///         that its kind does not have

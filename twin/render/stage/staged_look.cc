@@ -10,7 +10,7 @@
 #include "twin/inspection/cast/ray_caster.h"
 #include "twin/inspection/instrument/quality.h"
 #include "twin/inspection/surface/make_surface.h"
-#include "twin/render/light/light_frame.h"
+#include "twin/render/sheet/camera_light.h"
 
 namespace slackwater::twin {
 namespace {
@@ -225,7 +225,9 @@ StagedLook Stage::look(std::uint64_t seed, std::uint64_t number, int threads) co
   look.matrix = camera.matrix();
   RenderScene scene = parts.bare;
   FrameHits hits;
-  (void)truth_of(scene, camera, sheet.sensor.most_range_m, threads, hits);
+  std::vector<const TriangleMesh*> meshes;
+  for (const SeenThing& thing : scene.things) meshes.push_back(&thing.mesh);
+  find_first_hits(camera, meshes, sheet.sensor.most_range_m, threads, hits);
   parts.plant_in(rng, camera, hits, own_seed, scene);
   look.truth = truth_of(scene, camera, sheet.sensor.most_range_m, threads, hits);
 
@@ -245,8 +247,9 @@ StagedLook Stage::look(std::uint64_t seed, std::uint64_t number, int threads) co
     lighting.lamps.back().range_m *= look.lamps;
   }
   lighting.shadows.still = parts.caster;
-  look.picture = developed(light_of(scene, lighting, camera, hits, threads), sheet_camera.sensor,
-                           own_seed, threads);
+  const CameraThere there{sheet_camera, scene, lighting, look.pose, own_seed, threads};
+  look.picture =
+      developed(light_in(there, camera, hits).frame, sheet_camera.sensor, own_seed, threads);
 
   const Instrument instrument = instrument_of(sheet.sensor, look.lamps);
   for (const DefectMark& mark : scene.marks) {

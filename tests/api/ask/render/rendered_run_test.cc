@@ -123,6 +123,123 @@ TEST_F(RenderedRunOfARun, InAirSeesSkySeaAndPile) {
   EXPECT_NEAR(nearest_m, 10 / std::sin(22.5 * constants::degree), 3);
 }
 
+// In the sun the pile is warmer than the sea; the sky is colder the higher it is seen.
+TEST_F(RenderedRunOfARun, TellsWarmFromCold) {
+  const auto seen = std::get<api::InfraredView>(rendered("uav_infrared").view_at(1).seen);
+  std::array<double, twin::seen_classes> sum{}, count{};
+  for (std::size_t i = 0; i < seen.truth.pixels(); ++i) {
+    const auto kind = static_cast<std::size_t>(seen.truth.seen_class[i]);
+    sum[kind] += seen.heat.apparent_k[i];
+    ++count[kind];
+    EXPECT_EQ(std::isnan(seen.heat.temperature_k[i]), kind == 0);
+  }
+  const auto mean_k = [&](twin::SeenClass kind) {
+    const auto at = static_cast<std::size_t>(kind);
+    EXPECT_GT(count[at], 100);
+    return sum[at] / count[at];
+  };
+  EXPECT_GT(mean_k(twin::SeenClass::structure), mean_k(twin::SeenClass::water));
+  double highest_k = 0;
+  const auto wide = static_cast<std::size_t>(seen.truth.wide);
+  for (std::size_t i = 0; i < wide; ++i) highest_k += seen.heat.apparent_k[i] / seen.truth.wide;
+  ASSERT_EQ(seen.truth.seen_class[0], twin::SeenClass::nothing);
+  EXPECT_LT(highest_k, mean_k(twin::SeenClass::nothing) - 0.3);
+  const auto again =
+      std::get<api::InfraredView>(rendered("uav_infrared", "uav", 2).view_at(1).seen);
+  EXPECT_EQ(seen.heat.apparent_k, again.heat.apparent_k);
+}
+
+// Blur and flakes change the picture, and nothing of its truth.
+TEST_F(RenderedRunOfARun, BlurAndMarineSnowLeaveTheTruthAsItIs) {
+  const auto clear = std::get<api::CameraView>(rendered("rov_camera").view_at(3).seen);
+  const auto blurred = std::get<api::CameraView>(rendered("rov_camera_blurred").view_at(3).seen);
+  EXPECT_EQ(clear.truth.instance, blurred.truth.instance);
+  EXPECT_EQ(clear.truth.normal, blurred.truth.normal);
+  EXPECT_NE(clear.picture.rgb, blurred.picture.rgb);
+  EXPECT_EQ(clear.flakes, 0U);
+  EXPECT_GT(blurred.flakes, 20U);
+  const auto again =
+      std::get<api::CameraView>(rendered("rov_camera_blurred", "rov", 2).view_at(3).seen);
+  EXPECT_EQ(blurred.picture.rgb, again.picture.rgb);
+}
+
+// The second picture is that of a camera 0.12 m to the right; f b / z by the file's own matrix.
+TEST_F(RenderedRunOfARun, APairOfCamerasHasItsDisparity) {
+  const api::RenderView view = rendered("rov_stereo").view_at(2);
+  const auto& seen = std::get<api::CameraView>(view.seen);
+  ASSERT_TRUE(seen.right);
+  EXPECT_EQ(seen.right->picture.rgb.size(), seen.picture.rgb.size());
+  EXPECT_NE(seen.right->picture.rgb, seen.picture.rgb);
+  std::size_t both = 0;
+  for (std::size_t i = 0; i < seen.truth.pixels(); ++i) {
+    if (std::isnan(seen.truth.depth_m[i])) continue;
+    EXPECT_NEAR(seen.right->truth.disparity[i], seen.matrix[0] * 0.12 / seen.truth.depth_m[i],
+                1e-4);
+    both += seen.right->truth.is_in_both[i];
+  }
+  EXPECT_GT(both, seen.truth.pixels() / 4);
+}
+
+// 30 m of water, level; the pile ends in it.
+TEST_F(RenderedRunOfARun, SoundsTheBedWhereItLies) {
+  const auto swath = std::get<api::MultibeamView>(rendered("multibeam").view_at(5).seen);
+  std::size_t on_bed = 0;
+  for (const twin::Sounding& one : swath.soundings) {
+    if (!std::isfinite(one.true_range_m) || one.true_place_m.z < 29) continue;
+    EXPECT_NEAR(one.true_place_m.z, 30, 1e-4);
+    if (!std::isfinite(one.range_m)) continue;
+    EXPECT_NEAR(one.place_m.z, 30,
+                6 * (0.01 + 0.001 * one.range_m + 0.05 * constants::degree * one.range_m));
+    ++on_bed;
+  }
+  EXPECT_GT(on_bed, 300U);
+  const api::RenderView one = rendered("echo_sounder").view_at(5);
+  const auto& sounding = std::get<twin::EchoSounding>(one.seen);
+  EXPECT_NEAR(one.pose.position_m.z + sounding.axis_range_m * one.pose.axis.z, 30, 1e-4);
+  EXPECT_NEAR(sounding.range_m, sounding.footprint_range_m,
+              6 * (0.01 + 0.005 * sounding.footprint_range_m));
+}
+
+// The run's own current, to the east, and its waves, which the depth takes away.
+TEST_F(RenderedRunOfARun, ProfilesTheCurrentThatTheRunHas) {
+  const auto profile = std::get<twin::CurrentProfile>(rendered("adcp").view_at(5).seen);
+  std::size_t told = 0;
+  double sum = 0;
+  for (const twin::ProfileBin& bin : profile.bins) {
+    if (bin.depth_m > 20 && bin.depth_m < 28) {
+      // exp(-k z) of waves of 6 s at 20 m is 0.1 of some 0.5 m/s; piles turn a little of it.
+      EXPECT_NEAR(bin.true_velocity_m_s.y, 0.1, 0.06);
+      EXPECT_NEAR(bin.true_velocity_m_s.x, 0, 0.06);
+    }
+    if (bin.flaw != twin::BinFlaw::none) continue;
+    // One ping, 64 mm/s along a beam: over 2^(1/2) sin(20 degrees) across.
+    EXPECT_NEAR(bin.velocity_m_s.y, bin.true_velocity_m_s.y, 5 * 0.064 / 1.414 / 0.342 + 0.1);
+    sum += bin.velocity_m_s.y - bin.true_velocity_m_s.y;
+    ++told;
+  }
+  EXPECT_GE(told, 15U);
+  EXPECT_NEAR(sum / static_cast<double>(told), 0,
+              4 * 0.064 / 1.414 / 0.342 / std::sqrt(static_cast<double>(told)) + 0.02);
+  EXPECT_EQ(profile.bins.back().flaw, twin::BinFlaw::side_lobe) << "below the bed";
+}
+
+TEST_F(RenderedRunOfARun, OfSoundIsTheSameOnAnyNumberOfThreads) {
+  const auto seen = [&](const char* sensor, int threads) {
+    return rendered(sensor, "rov", threads).view_at(3).seen;
+  };
+  EXPECT_EQ(std::get<twin::SideScanPing>(seen("side_scan", 1)).intensity,
+            std::get<twin::SideScanPing>(seen("side_scan", 2)).intensity);
+  EXPECT_EQ(std::get<twin::EchoSounding>(seen("echo_sounder", 1)).intensity,
+            std::get<twin::EchoSounding>(seen("echo_sounder", 2)).intensity);
+  const auto one = std::get<api::MultibeamView>(seen("multibeam", 1)).soundings;
+  const auto two = std::get<api::MultibeamView>(seen("multibeam", 2)).soundings;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    if (std::isfinite(one[i].range_m)) {
+      EXPECT_EQ(one[i].range_m, two[i].range_m);
+    }
+  }
+}
+
 TEST_F(RenderedRunOfARun, WhatCannotBeIsOneClearError) {
   EXPECT_NE(
       refusal([&] { (void)rendered("rov_camera", "uav").view_at(1); }).find("found it in air at"),

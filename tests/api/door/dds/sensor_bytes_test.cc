@@ -100,10 +100,11 @@ TEST(BytesOfSensors, CloudIsForwardLeftUp) {
   for (std::size_t i = 0; i < 8; ++i) {
     for (const double number : expected[i]) {
       const double told = read.real32();
-      if (std::isnan(number))
+      if (std::isnan(number)) {
         EXPECT_TRUE(std::isnan(told)) << i;
-      else
+      } else {
         EXPECT_NEAR(told, number, 64 * 1e-7) << i;  // of single precision
+      }
     }
     EXPECT_EQ(read.real32(), scan.intensity[i]);
   }

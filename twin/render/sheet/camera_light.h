@@ -1,0 +1,29 @@
+#pragma once
+#include "twin/render/frame/frame_hits.h"
+#include "twin/render/light/light_frame.h"
+#include "twin/render/sheet/render_sensor.h"
+
+namespace slackwater::twin {
+
+/// A camera where it looks.
+struct CameraThere {
+  const CameraSheet& sheet;
+  const RenderScene& scene;
+  const Lighting& lighting;  ///< with its lamps
+  Pose pose;
+  std::uint64_t seed = 0;  ///< of flakes
+  int threads = 1;
+};
+
+/// What falls on a camera's sensor.
+struct CameraLight {
+  LightFrame frame;
+  std::size_t flakes = 0;  ///< of marine snow, in view or behind something
+};
+
+/// The light of a scene (`light_of`), and what its sheet has of: marine snow before it, blur by the
+/// water's forward scatter, smear by what moves. What is of water is left out in air.
+[[nodiscard]] CameraLight light_in(const CameraThere& there, const Pinhole& camera,
+                                   const FrameHits& hits);
+
+}  // namespace slackwater::twin
