@@ -7,16 +7,16 @@ CameraLight light_in(const CameraThere& there, const Pinhole& camera, const Fram
   const bool is_under_water = there.pose.position_m.z > there.scene.surface_m;
   CameraLight seen;
   seen.frame = light_of(there.scene, there.lighting, camera, hits, there.threads);
+  if (sheet.forward_scatter && is_under_water)
+    seen.frame =
+        scattered_forwards(seen.frame, *sheet.forward_scatter, camera, hits,
+                           there.lighting.water.beam_attenuation_per_m[green], there.threads);
   if (sheet.marine_snow && is_under_water) {
     const auto all = flakes_in_view(*sheet.marine_snow, camera, there.seed);
     seen.flakes = all.size();
     seen.frame = with_flakes(seen.frame, all, *sheet.marine_snow, there.lighting,
                              there.scene.surface_m, camera, hits);
   }
-  if (sheet.forward_scatter && is_under_water)
-    seen.frame =
-        scattered_forwards(seen.frame, *sheet.forward_scatter, camera, hits,
-                           there.lighting.water.beam_attenuation_per_m[green], there.threads);
   if (sheet.shutter)
     seen.frame =
         through_shutter(seen.frame, *sheet.shutter, camera, there.pose, hits, there.threads);

@@ -21,8 +21,9 @@ struct CameraLight {
   std::size_t flakes = 0;  ///< of marine snow, in view or behind something
 };
 
-/// The light of a scene (`light_of`), and what its sheet has of: marine snow before it, blur by the
-/// water's forward scatter, smear by what moves. What is of water is left out in air.
+/// The light of a scene (`light_of`), and what its sheet has of, in this order: blur by the water's
+/// forward scatter, marine snow (flakes are near, and not blurred as what lies behind them), smear
+/// by what moves. What is of water is left out in air.
 [[nodiscard]] CameraLight light_in(const CameraThere& there, const Pinhole& camera,
                                    const FrameHits& hits);
 
