@@ -20,7 +20,7 @@ using api::score_of_kind;
 using api::ScoredPicture;
 
 PixelBox box_at(double left) { return {left, 10, left + 10, 20}; }
-Label label_at(double left) { return {"crack", box_at(left), false}; }
+Label label_at(double left) { return {"crack", box_at(left), false, {}}; }
 Detection find_at(double left, double confidence) { return {"crack", confidence, box_at(left)}; }
 double ap(const std::vector<ScoredPicture>& pictures) {
   return score_of_kind(pictures, "crack").average_precision->share;
@@ -86,7 +86,7 @@ TEST(AveragePrecision, AsksForHalfOfBothInCommon) {
 }
 
 TEST(AveragePrecision, LeavesCrowdsOutOfBothCounts) {
-  const Label crowd{"crack", {0, 0, 100, 100}, true};
+  const Label crowd{"crack", {0, 0, 100, 100}, true, {}};
   const KindScore score = score_of_kind(
       std::vector<ScoredPicture>{
           {{crowd, label_at(200)}, {find_at(0, 0.9), find_at(40, 0.8), find_at(200, 0.1)}}},

@@ -39,7 +39,7 @@ surfaces: [{kind: monopile, north_m: 0, east_m: 0, radius_m: 40, )"
                      R"(from: {depth_m: 4}, to: {depth_m: 14}, bearings_deg: [-5, 5]}]
 )";
   for (const std::string& other : others) {
-    const auto at = yaml.find(other.substr(0, other.find(':') + 1));
+    const auto at = yaml.find("\n" + other.substr(0, other.find(':') + 1)) + 1;
     yaml.replace(at, yaml.find('\n', at) - at, other);
   }
   return read_look_stage(Config::parse(yaml, "test.yaml"), data());

@@ -140,8 +140,9 @@ TEST_F(RenderedRunOfARun, TellsWarmFromCold) {
   };
   EXPECT_GT(mean_k(twin::SeenClass::structure), mean_k(twin::SeenClass::water));
   double highest_k = 0;
-  const auto wide = static_cast<std::size_t>(seen.truth.wide);
-  for (std::size_t i = 0; i < wide; ++i) highest_k += seen.heat.apparent_k[i] / seen.truth.wide;
+  for (int i = 0; i < seen.truth.wide; ++i)
+    highest_k += static_cast<double>(seen.heat.apparent_k[static_cast<std::size_t>(i)]) /
+                 static_cast<double>(seen.truth.wide);
   ASSERT_EQ(seen.truth.seen_class[0], twin::SeenClass::nothing);
   EXPECT_LT(highest_k, mean_k(twin::SeenClass::nothing) - 0.3);
   const auto again =
