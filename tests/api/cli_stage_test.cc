@@ -43,7 +43,7 @@ TEST_F(StageCommand, LeavesPicturesLabelsAndACard) {
     planted += image.at("look").at("planted").size();
   }
   EXPECT_EQ(told_.at("planted"), planted);
-  const std::string card = read_bytes(made_->file("looks/README.md"));
+  const std::string card = read_bytes(made_->file("looks") / "README.md");
   EXPECT_TRUE(contains(card, "| visibility | 2 to 15 m |")) << card;
   EXPECT_TRUE(contains(card, "40 rendered pictures")) << card;
 }

@@ -17,17 +17,17 @@ void LookThread::hand_in(std::size_t sensor, Look look) {
     Sensor& of = sensors_.at(sensor);
     ++of.made.moments;
     of.made.dropped += of.waiting ? 1U : 0U;
+    if (!of.waiting) of.turn = ++turns_;
     of.waiting.swap(waiting);  // what is dropped goes without the lock
   }
   came_.notify_one();
 }
 
 LookThread::Sensor* LookThread::next() {
-  Sensor* oldest = nullptr;
+  Sensor* first = nullptr;
   for (Sensor& sensor : sensors_)
-    if (sensor.waiting && (oldest == nullptr || sensor.waiting->since < oldest->waiting->since))
-      oldest = &sensor;
-  return oldest;
+    if (sensor.waiting && (first == nullptr || sensor.turn < first->turn)) first = &sensor;
+  return first;
 }
 
 void LookThread::make_all() {

@@ -26,7 +26,8 @@ struct LooksMade {
 
 /// Looks of several sensors, made one after the other on a thread of their own: whoever hands in
 /// moments never waits for one. Of each sensor one moment waits; a newer one takes its place, and
-/// the older one is dropped and counted. Of those that wait the oldest is next.
+/// the older one is dropped and counted. Of the sensors that wait the one that has waited longest
+/// is next, whatever has taken whose place: none starves behind a slow one.
 class LookThread {
  public:
   using WallClock = std::chrono::steady_clock;
@@ -54,6 +55,7 @@ class LookThread {
   };
   struct Sensor {
     std::optional<Waiting> waiting;
+    std::uint64_t turn = 0;  ///< since which it waits; a newer moment keeps it
     LooksMade made;
   };
   void make_all();
@@ -64,6 +66,7 @@ class LookThread {
   mutable std::mutex mutex_;
   std::condition_variable came_;
   std::vector<Sensor> sensors_;
+  std::uint64_t turns_ = 0;
   bool is_over_ = false;
   std::thread thread_;
 };

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <future>
+#include <thread>
 
 namespace slackwater::tests::look_thread_test {
 namespace {
@@ -83,6 +85,20 @@ TEST(LookThread, WhatCannotBeSeenIsCountedAndToldOnce) {
   EXPECT_EQ(thread.made(1).looks, 1U);
   thread.hand_in(0, [] { FAIL() << "it is over"; });
   EXPECT_EQ(thread.made(0).moments, 0U);
+}
+
+TEST(LookThread, NoSensorStarvesBehindASlowOne) {
+  LookThread thread(2, {});
+  const auto look = [] { std::this_thread::sleep_for(20ms); };
+  for (int i = 0; i < 120; ++i) {
+    thread.hand_in(0, look);
+    thread.hand_in(1, look);
+    std::this_thread::sleep_for(5ms);
+  }
+  thread.finish();
+  const auto first = thread.made(0).looks, second = thread.made(1).looks;
+  EXPECT_GT(first, 3U);
+  EXPECT_LE(std::max(first, second) - std::min(first, second), 2U);
 }
 
 }  // namespace
