@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "action_msgs.h"
+#include "marine_acoustic_msgs.h"
 #include "nav_msgs.h"
 #include "rcl_interfaces.h"
 #include "rmw_dds_common.h"

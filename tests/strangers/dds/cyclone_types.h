@@ -2,6 +2,7 @@
 #include "action_msgs.h"
 #include "dds/dds.h"
 #include "every_type.h"
+#include "marine_acoustic_msgs.h"
 #include "nav_msgs.h"
 #include "rcl_interfaces.h"
 #include "rmw_dds_common.h"
