@@ -8,7 +8,7 @@
 #include "twin/render/light/albedo.h"
 #include "twin/render/light/counted_noise.h"
 #include "twin/render/light/fading.h"
-#include "twin/render/light/smooth_normals.h"
+#include "twin/render/light/seen_place.h"
 
 namespace slackwater::twin {
 namespace {
@@ -27,7 +27,7 @@ struct SentHeat {
 class HeatPainter {
  public:
   HeatPainter(const RenderScene& scene, const InfraredLight& light, const InfraredSensor& sensor)
-      : scene_(scene),
+      : places_(scene),
         light_(light),
         band_(sensor.from_m, sensor.to_m),
         of_air_(band_.of(light.warmth.air_k)),
@@ -39,9 +39,6 @@ class HeatPainter {
     attenuation_per_m_ = light.warmth.attenuation_per_m;
     if (light.visible_attenuation_per_m >= fog_per_m)
       attenuation_per_m_ += light.visible_attenuation_per_m;
-    for (const SeenThing& thing : scene.things) normals_.emplace_back(thing.mesh);
-    marks_.resize(scene.things.size());
-    for (const DefectMark& mark : scene.marks) marks_[mark.thing].push_back(&mark);
   }
 
   [[nodiscard]] const BandRadiance& band() const noexcept { return band_; }
@@ -55,20 +52,7 @@ class HeatPainter {
   }
 
   [[nodiscard]] SentHeat of_place(const Ray& ray, const FrameHits& hits, std::size_t pixel) const {
-    const SeenThing& thing = scene_.things[hits.mesh[pixel]];
-    const double range_m = hits.range_m[pixel];
-    const Triple<double> at_m = ray.from_m + range_m * ray.direction;
-    Triple<double> face = thing.mesh.area_vector_m2(hits.triangle[pixel]);
-    face = (1 / length_of(face)) * face;
-    Triple<double> n = normals_[hits.mesh[pixel]].at(hits.triangle[pixel], at_m, face);
-    if (dot(face, ray.direction) > 0) {
-      n = -1.0 * n;
-      face = -1.0 * face;
-    }
-    if (!(dot(n, ray.direction) < 0)) n = face;
-    const DefectMark* mark = nullptr;
-    for (const DefectMark* one : marks_[hits.mesh[pixel]])
-      if (one->holds(at_m)) mark = one;
+    const auto [thing, at_m, face, n, mark] = places_.at(ray, hits, pixel);
     const SurfaceWarmth& warmth = light_.warmth.of(material_at(thing, mark));
     SentHeat sent;
     sent.temperature_k = warmth.temperature_k + warmed_k(warmth, at_m, n, face);
@@ -85,7 +69,7 @@ class HeatPainter {
           light_.is_overcast ? of_cloud_ : of_air_ * (1 - fading(diffuse_way * overhead_));
       falls_on = of_sky * whole_sky + (1 - of_sky) * of_sea_;
     }
-    const double left = fading(attenuation_per_m_ * range_m);
+    const double left = fading(attenuation_per_m_ * hits.range_m[pixel]);
     const double sends =
         sent.emissivity * band_.of(sent.temperature_k) + (1 - sent.emissivity) * falls_on;
     sent.radiance = left * sends + (1 - left) * of_air_;
@@ -106,14 +90,12 @@ class HeatPainter {
     return warmth.in_sun_k * on_face * light_.beam_w_m2 / stated_for_w_m2;
   }
 
-  const RenderScene& scene_;
+  SeenPlaces places_;
   const InfraredLight& light_;
   BandRadiance band_;
   double of_air_, of_sea_, of_cloud_;
   double overhead_ = 0;
   double attenuation_per_m_ = 0;
-  std::vector<SmoothNormals> normals_;
-  std::vector<std::vector<const DefectMark*>> marks_;
 };
 
 }  // namespace

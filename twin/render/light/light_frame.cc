@@ -8,7 +8,7 @@
 #include "twin/render/light/albedo.h"
 #include "twin/render/light/fading.h"
 #include "twin/render/light/lamp_veil.h"
-#include "twin/render/light/smooth_normals.h"
+#include "twin/render/light/seen_place.h"
 
 namespace slackwater::twin {
 namespace {
@@ -21,12 +21,14 @@ class Painter {
  public:
   Painter(const RenderScene& scene, const Lighting& lighting, const Pinhole& camera,
           const FrameHits& hits, LightFrame& frame)
-      : scene_(scene), lighting_(lighting), camera_(camera), hits_(hits), frame_(frame) {
+      : scene_(scene),
+        lighting_(lighting),
+        camera_(camera),
+        hits_(hits),
+        frame_(frame),
+        places_(scene) {
     for (const Lamp& lamp : lighting.lamps) edges_.emplace_back(lamp);
     is_under_water_ = camera.position_m().z > scene.surface_m;
-    for (const SeenThing& thing : scene.things) normals_.emplace_back(thing.mesh);
-    marks_.resize(scene.things.size());
-    for (const DefectMark& mark : scene.marks) marks_[mark.thing].push_back(&mark);
   }
 
   void paint_row(int j) {
@@ -59,7 +61,7 @@ class Painter {
     const double range_m = is_hit ? hits_.range_m[pixel] : without_end_m;
     Bands light{};
     if (is_hit)
-      light = of_place(ray, pixel, range_m);
+      light = of_place(ray, pixel);
     else if (!is_under_water_)
       return sky(ray.direction);
     for (std::size_t k = 0; k < light.size(); ++k) {
@@ -94,21 +96,10 @@ class Painter {
   }
 
   /// Of the place that a pixel meets, there.
-  [[nodiscard]] Bands of_place(const Ray& ray, std::size_t pixel, double range_m) const {
-    const SeenThing& thing = scene_.things[hits_.mesh[pixel]];
-    const Triple<double> at_m = ray.from_m + range_m * ray.direction;
-    Triple<double> face = thing.mesh.area_vector_m2(hits_.triangle[pixel]);
-    face = (1 / length_of(face)) * face;
-    Triple<double> n = normals_[hits_.mesh[pixel]].at(hits_.triangle[pixel], at_m, face);
-    if (dot(face, ray.direction) > 0) n = -1.0 * n;
-    if (dot(face, ray.direction) > 0) face = -1.0 * face;
-    // Rounded off, a face that is seen could turn away at its outline.
-    if (!(dot(n, ray.direction) < 0)) n = face;
+  [[nodiscard]] Bands of_place(const Ray& ray, std::size_t pixel) const {
+    const auto [thing, at_m, face, n, mark] = places_.at(ray, hits_, pixel);
     if (thing.seen_class == SeenClass::water)
       return is_under_water_ ? surface_from_below(ray, at_m, n) : surface_from_above(ray, n);
-    const DefectMark* mark = nullptr;
-    for (const DefectMark* one : marks_[hits_.mesh[pixel]])
-      if (one->holds(at_m)) mark = one;
     const Bands albedo = albedo_at(thing, mark, at_m, lighting_.growth, lighting_.seed);
     const double facing = faces_day(at_m, n, face);
     Bands light{};
@@ -206,8 +197,7 @@ class Painter {
   const FrameHits& hits_;
   LightFrame& frame_;
   std::vector<BeamEdge> edges_;
-  std::vector<SmoothNormals> normals_;
-  std::vector<std::vector<const DefectMark*>> marks_;
+  SeenPlaces places_;
   bool is_under_water_ = false;
 };
 
