@@ -6,6 +6,7 @@
 
 #include "fields/base/constants.h"
 #include "tests/twin/render/ranging_for_tests.h"
+#include "twin/render/ranging/fan.h"
 
 namespace slackwater::twin::multibeam_test {
 namespace {
@@ -55,8 +56,9 @@ TEST(Multibeam, PortBeamsLookToPort) {
   EXPECT_NEAR(soundings.front().bearing_rad, -1, 1e-12);
   EXPECT_LT(soundings.front().place_m.y, -20) << "west, the bow to the north";
   EXPECT_GT(soundings.back().place_m.y, 20);
-  EXPECT_NEAR(multibeam_bearing_rad(fan(), 256) - multibeam_bearing_rad(fan(), 255), 2.0 / 511,
-              1e-12);
+  EXPECT_NEAR(
+      beam_bearing_rad(fan().across_rad, 512, 256) - beam_bearing_rad(fan().across_rad, 512, 255),
+      2.0 / 511, 1e-12);
 }
 
 // Var(depth) = (sd cos t)^2 + (h tan t bearing_sd)^2.
@@ -75,7 +77,7 @@ TEST(Multibeam, OuterBeamsAreWorseByTheirBearing) {
     }
   }
   for (int i = 0; i < 5; ++i) {
-    const double t = multibeam_bearing_rad(sheet, i);
+    const double t = beam_bearing_rad(sheet.across_rad, sheet.beams, i);
     const double sd_m = (0.02 + 0.001 * 15 / std::cos(t)) * std::cos(t);
     const double by_bearing_m = 15 * std::tan(t) * sheet.bearing_sd_rad;
     const double variance = sd_m * sd_m + by_bearing_m * by_bearing_m;

@@ -4,6 +4,7 @@
 
 #include "fields/base/constants.h"
 #include "tests/twin/render/ranging_for_tests.h"
+#include "twin/render/ranging/fan.h"
 #include "twin/render/ranging/imaging_sonar.h"
 #include "twin/render/ranging/lidar.h"
 
@@ -108,7 +109,7 @@ TEST(ImagingSonar, LeftIsLeft) {
   };
   EXPECT_EQ(side(0, 20), 0);
   EXPECT_GT(side(21, 41), 0);
-  EXPECT_GT(sonar_bearing_rad(sheet, 40), 0);
+  EXPECT_GT(beam_bearing_rad(sheet.across_rad, sheet.beams, 40), 0);
 }
 
 // Rayleigh's speckle: the intensity has its mean and as much deviation.

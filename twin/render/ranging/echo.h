@@ -1,6 +1,10 @@
 #pragma once
+#include <cmath>
+
+#include "twin/inspection/cast/ray_caster.h"
 #include "twin/render/light/counted_noise.h"
 #include "twin/render/light/fading.h"
+#include "twin/render/scene/render_scene.h"
 
 namespace slackwater::twin {
 
@@ -32,6 +36,15 @@ namespace slackwater::twin {
 
 /// Beams are cast into over so many of their half-power widths: beyond, b^2 is 4e-6.
 inline constexpr double cast_widths = 3;
+
+/// What a ray throws back: dI with `weight` for mu dW b^2, cos(i) of the triangle that it meets.
+[[nodiscard]] inline double thrown_back(double weight, const RenderScene& scene, const Ray& ray,
+                                        const CastHit& hit, double taken_per_m) noexcept {
+  const double r = hit.range_m;
+  const Triple<double> normal = scene.things[hit.mesh].mesh.area_vector_m2(hit.triangle);
+  const double squareness = std::abs(dot(normal, ray.direction)) / length_of(normal);
+  return weight * squareness * fading(taken_per_m * r) / (r * r);
+}
 
 /// Exponential, mean 1: the intensity of many scatterers' speckle (Rayleigh's amplitude).
 [[nodiscard]] inline double exponential_at(std::uint64_t key) noexcept {

@@ -47,10 +47,7 @@ EchoSounding echo_sounded(const RenderScene& scene, const RayCaster& caster,
                                          (std::sin(off) * std::sin(turn)) * down};
       const auto hit = caster.first_hit(ray, most_range_m);
       if (!hit || hit->range_m < least_range_m) continue;
-      const double r = hit->range_m;
-      const Triple<double> normal = scene.things[hit->mesh].mesh.area_vector_m2(hit->triangle);
-      const double squareness = std::abs(dot(normal, ray.direction)) / length_of(normal);
-      echoes[ring * round + i] = {r, weight * squareness * fading(taken_per_m * r) / (r * r)};
+      echoes[ring * round + i] = {hit->range_m, thrown_back(weight, scene, ray, *hit, taken_per_m)};
     }
   });
 

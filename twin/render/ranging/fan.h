@@ -15,4 +15,10 @@ namespace slackwater::twin {
          std::sin(elevation_rad) * down;
 }
 
+/// The middle of a beam, radians to the right of the axis: evenly spaced in angle, the first and
+/// the last `across_rad` apart.
+[[nodiscard]] inline double beam_bearing_rad(double across_rad, int beams, int beam) noexcept {
+  return beams < 2 ? 0 : across_rad * (static_cast<double>(beam) / (beams - 1) - 0.5);
+}
+
 }  // namespace slackwater::twin

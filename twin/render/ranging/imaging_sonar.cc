@@ -9,11 +9,6 @@
 
 namespace slackwater::twin {
 
-double sonar_bearing_rad(const ImagingSonarSheet& sheet, int beam) noexcept {
-  return sheet.beams < 2 ? 0
-                         : sheet.across_rad * (static_cast<double>(beam) / (sheet.beams - 1) - 0.5);
-}
-
 SonarImage pinged(const RenderScene& scene, const RayCaster& caster, const ImagingSonarSheet& sheet,
                   const Pose& pose, double least_range_m, double most_range_m, std::uint64_t seed,
                   int threads) {
@@ -36,16 +31,13 @@ SonarImage pinged(const RenderScene& scene, const RayCaster& caster, const Imagi
   }
   for_all(static_cast<std::size_t>(sheet.beams), threads, [&](std::size_t beam) {
     std::vector<double> sum(bins, 0.0);
-    const double bearing = sonar_bearing_rad(sheet, static_cast<int>(beam));
+    const double bearing = beam_bearing_rad(sheet.across_rad, sheet.beams, static_cast<int>(beam));
     for (std::size_t k = 0; k < elevation.size(); ++k) {
       const Ray ray{pose.position_m, fan_direction(pose, bearing, elevation[k])};
       const auto hit = caster.first_hit(ray, most_range_m);
       if (!hit || hit->range_m < least_range_m) continue;
-      const double r = hit->range_m;
-      const Triple<double> normal = scene.things[hit->mesh].mesh.area_vector_m2(hit->triangle);
-      const double squareness = std::abs(dot(normal, ray.direction)) / length_of(normal);
-      const auto bin = static_cast<std::size_t>(r / most_range_m * sheet.bins);
-      sum[std::min(bin, bins - 1)] += weight[k] * squareness * fading(taken_per_m * r) / (r * r);
+      const auto bin = static_cast<std::size_t>(hit->range_m / most_range_m * sheet.bins);
+      sum[std::min(bin, bins - 1)] += thrown_back(weight[k], scene, ray, *hit, taken_per_m);
     }
     for (std::size_t bin = 0; bin < bins; ++bin) {
       const std::size_t at = beam * bins + bin;

@@ -31,9 +31,6 @@ struct SonarImage {
   std::vector<float> mean;       ///< without speckle and noise
 };
 
-/// The middle of a beam, radians to the right of the axis.
-[[nodiscard]] double sonar_bearing_rad(const ImagingSonarSheet& sheet, int beam) noexcept;
-
 /// One ping. Each beam is cut into as many rays upright as the sheet says, evenly over three
 /// half-power widths; what a ray throws back (echo.h) falls into the bin of its range. Its solid
 /// angle is the beam's width times cos(e) de, and b the pattern of a beam upright.

@@ -14,11 +14,6 @@ constexpr float no_sounding = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
-double multibeam_bearing_rad(const MultibeamSheet& sheet, int beam) noexcept {
-  return sheet.beams < 2 ? 0
-                         : sheet.across_rad * (static_cast<double>(beam) / (sheet.beams - 1) - 0.5);
-}
-
 std::vector<Sounding> sounded(const RenderScene& scene, const RayCaster& caster,
                               const MultibeamSheet& sheet, const Pose& pose, double least_range_m,
                               double most_range_m, std::uint64_t seed, int threads) {
@@ -29,7 +24,7 @@ std::vector<Sounding> sounded(const RenderScene& scene, const RayCaster& caster,
   std::vector<Sounding> soundings(static_cast<std::size_t>(sheet.beams));
   for_all(soundings.size(), threads, [&](std::size_t beam) {
     Sounding& one = soundings[beam];
-    one.bearing_rad = multibeam_bearing_rad(sheet, static_cast<int>(beam));
+    one.bearing_rad = beam_bearing_rad(sheet.across_rad, sheet.beams, static_cast<int>(beam));
     one.range_m = one.true_range_m = no_sounding;
     const Ray told{pose.position_m, fan_direction(pose, one.bearing_rad, 0)};
     const auto met = caster.first_hit(told, most_range_m);
@@ -43,9 +38,7 @@ std::vector<Sounding> sounded(const RenderScene& scene, const RayCaster& caster,
     const auto hit = sheet.bearing_sd_rad > 0 ? caster.first_hit(ray, most_range_m) : met;
     if (!hit || hit->range_m < least_range_m) return;
     const double r = hit->range_m;
-    const Triple<double> normal = scene.things[hit->mesh].mesh.area_vector_m2(hit->triangle);
-    const double squareness = std::abs(dot(normal, ray.direction)) / length_of(normal);
-    const double level = mu * solid_angle * squareness * fading(taken_per_m * r) / (r * r);
+    const double level = thrown_back(mu * solid_angle, scene, ray, *hit, taken_per_m);
     one.level = static_cast<float>(level);
     one.instance = static_cast<std::uint16_t>(hit->mesh + 1);
     if (level < least_level) return;

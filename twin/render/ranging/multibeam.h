@@ -36,9 +36,6 @@ struct Sounding {
   Triple<double> true_place_m;  ///< likewise without a true range
 };
 
-/// The middle of a beam, radians to the right of the axis: evenly spaced in angle.
-[[nodiscard]] double multibeam_bearing_rad(const MultibeamSheet& sheet, int beam) noexcept;
-
 /// One ping. Beam by beam the range of what the middle of the beam meets, plus normal noise of
 /// noise_sd + noise_per_range r, rounded to `step_m`; laid along where the beam is told to look.
 /// The beam itself looks beside that by `bearing_sd` in the fan's plane. Over a level bed at a

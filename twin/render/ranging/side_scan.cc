@@ -124,11 +124,10 @@ SideScanPing side_scanned(const RenderScene& scene, const RayCaster& caster,
       const double r = hit->range_m;
       const Triple<double> normal = scene.things[hit->mesh].mesh.area_vector_m2(hit->triangle);
       const double towards_it = dot(normal, ray.direction);
-      const double squareness = std::abs(towards_it) / length_of(normal);
-      const double echo =
+      const double weight =
           mu * wide[slice] * (one.steep_rad - one.flat_rad) *
-          pattern_both_ways(one.middle_rad - sheet.depression_rad, sheet.upright_rad) * squareness *
-          fading(taken_per_m * r) / (r * r);
+          pattern_both_ways(one.middle_rad - sheet.depression_rad, sheet.upright_rad);
+      const double echo = thrown_back(weight, scene, ray, *hit, taken_per_m);
       // Where the plane that it meets is at an angle.
       const auto range_at = [&](double below_rad) {
         const double share = dot(normal, towards(below_rad)) / towards_it;

@@ -35,7 +35,8 @@ struct SideScanPing {
   std::vector<std::uint16_t> instance;
 
   [[nodiscard]] std::size_t place(ScanSide side, int bin) const noexcept {
-    return static_cast<std::size_t>(static_cast<int>(side) * bins + bin);
+    return static_cast<std::size_t>(side) * static_cast<std::size_t>(bins) +
+           static_cast<std::size_t>(bin);
   }
 };
 

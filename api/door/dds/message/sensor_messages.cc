@@ -11,6 +11,7 @@
 #include "fields/base/check.h"
 #include "marine_acoustic_msgs.h"
 #include "sensor_msgs.h"
+#include "twin/render/ranging/fan.h"
 
 namespace slackwater::dds {
 namespace {
@@ -167,7 +168,7 @@ Bytes sonar_image(const twin::SonarImage& image, const twin::ImagingSonarSheet& 
   message.ping_info().tx_beamwidths().assign(beams, static_cast<float>(sheet.upright_rad));
   message.ping_info().rx_beamwidths().assign(beams, static_cast<float>(sheet.beam_rad));
   for (int beam = 0; beam < image.beams; ++beam) {
-    const double bearing_rad = twin::sonar_bearing_rad(sheet, beam);
+    const double bearing_rad = twin::beam_bearing_rad(sheet.across_rad, sheet.beams, beam);
     message.beam_directions().push_back(xyz_message<geometry_msgs::msg::Vector3>(
         {0, std::sin(bearing_rad), std::cos(bearing_rad)}));
   }
