@@ -33,7 +33,7 @@ RightView right_of_pair(const twin::CameraThere& left_there, double most_range_m
   there.seed = ~left_there.seed;
   const twin::Pinhole camera(there.pose, sheet.frame);
   twin::FrameHits hits;
-  (void)twin::truth_of(there.scene, camera, most_range_m, threads, hits);
+  twin::find_hits_of(there.scene, camera, most_range_m, threads, hits);
   right.picture =
       twin::developed(twin::light_in(there, camera, hits).frame, sheet.sensor, there.seed, threads);
   return right;

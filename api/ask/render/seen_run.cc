@@ -34,15 +34,6 @@ twin::ReadyRun ready_to_look_at(const twin::Scenario& scenario, twin::Surround s
   return twin::set_up(scenario, surround);
 }
 
-/// A carriage that has the sensor at its pose: body axes along the picture's.
-twin::Carriage turned_with(const twin::Pose& pose, const twin::RenderSensor& sensor) {
-  const twin::Triple<double> down = cross(pose.axis, pose.right);
-  const twin::Rotation<double> turned{{pose.axis.x, pose.right.x, down.x},
-                                      {pose.axis.y, pose.right.y, down.y},
-                                      {pose.axis.z, pose.right.z, down.z}};
-  return {pose.position_m - turned.to_ned(sensor.position_m), turned, pose.velocity_m_s, {}};
-}
-
 /// Of a clear sky's sun, at right angles to it, W/m2; 0 by night.
 double beam_across_w_m2(double elevation_deg) {
   return elevation_deg > 0
@@ -158,7 +149,7 @@ SeenRun::Sighting SeenRun::sighting(const MountedSensor& mounted, const SeenMome
                                                 sighting.pose.position_m, sensor.most_range_m);
     if (place_m) {
       sighting.pose = twin::pose_of(sensor, carriage, *place_m);
-      sighting.lamps_on = turned_with(sighting.pose, sensor);
+      sighting.lamps_on = twin::hull_that_has(sensor, sighting.pose);
     }
   }
   const std::vector<twin::SeenVehicle> vehicles = others_than(mounted.vehicle, moment);

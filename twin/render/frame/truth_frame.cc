@@ -92,6 +92,13 @@ class Filling {
 
 }  // namespace
 
+void find_hits_of(const RenderScene& scene, const Pinhole& camera, double most_range_m, int threads,
+                  FrameHits& hits) {
+  std::vector<const TriangleMesh*> meshes;
+  for (const SeenThing& thing : scene.things) meshes.push_back(&thing.mesh);
+  find_first_hits(camera, meshes, most_range_m, threads, hits);
+}
+
 TruthFrame truth_of(const RenderScene& scene, const Pinhole& camera, double most_range_m,
                     int threads, FrameHits& hits, const OtherMoment* other) {
   constexpr std::size_t most = 65535;
@@ -103,9 +110,7 @@ TruthFrame truth_of(const RenderScene& scene, const Pinhole& camera, double most
       expects(other->scene.things[i].mesh.corners.size() == scene.things[i].mesh.corners.size(),
               "the same triangles at both moments");
   }
-  std::vector<const TriangleMesh*> meshes;
-  for (const SeenThing& thing : scene.things) meshes.push_back(&thing.mesh);
-  find_first_hits(camera, meshes, most_range_m, threads, hits);
+  find_hits_of(scene, camera, most_range_m, threads, hits);
   TruthFrame frame;
   frame.wide = camera.wide();
   frame.high = camera.high();

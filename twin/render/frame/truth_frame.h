@@ -34,6 +34,10 @@ struct OtherMoment {
   const Pinhole& camera;
 };
 
+/// What each pixel meets first of a scene (`find_first_hits`).
+void find_hits_of(const RenderScene& scene, const Pinhole& camera, double most_range_m, int threads,
+                  FrameHits& hits);
+
 /// The truth of a picture. A pixel shows a defect where the place that it meets is held by its mark
 /// (render_scene.h): of two the later one.
 ///

@@ -44,6 +44,14 @@ Pose pose_of(const RenderSensor& sensor, const Carriage& carriage,
   return pose_of(turned, carriage, {place_m, {}});
 }
 
+Carriage hull_that_has(const RenderSensor& sensor, const Pose& pose) noexcept {
+  const Triple<double> down = cross(pose.axis, pose.right);
+  const Rotation<double> turned{{pose.axis.x, pose.right.x, down.x},
+                                {pose.axis.y, pose.right.y, down.y},
+                                {pose.axis.z, pose.right.z, down.z}};
+  return {pose.position_m - turned.to_ned(sensor.position_m), turned, pose.velocity_m_s, {}};
+}
+
 Lamp lamp_of(const MountedLamp& lamp, const Carriage& carriage) noexcept {
   const Rotation<double>& r = carriage.attitude;
   return {carriage.position_m + r.to_ned(lamp.position_m), r.to_ned(lamp.axis), lamp.range_m,

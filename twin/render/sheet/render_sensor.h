@@ -118,6 +118,9 @@ struct RenderSensor {
 /// The same of one that is turned to a place: as the inspection turns its instruments (pose.h).
 [[nodiscard]] Pose pose_of(const RenderSensor& sensor, const Carriage& carriage,
                            const Triple<double>& place_m) noexcept;
+/// A hull that has the sensor at its pose, body axes along the picture's: what turns lamps with a
+/// camera that is turned.
+[[nodiscard]] Carriage hull_that_has(const RenderSensor& sensor, const Pose& pose) noexcept;
 /// A lamp of the vehicle, where it is then.
 [[nodiscard]] Lamp lamp_of(const MountedLamp& lamp, const Carriage& carriage) noexcept;
 

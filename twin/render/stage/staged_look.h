@@ -38,13 +38,7 @@ struct StagedLook {
   TruthFrame truth;
   Picture picture;
   std::array<double, 9> matrix{};
-  /// Surface in view that is seen no flatter than 80 degrees off its normal: the sum over pixels of
-  ///
-  ///     z^2 / (f_u f_v |n . d|),
-  ///
-  /// z the depth along the axis, d = (x, y, 1) the pixel's way through a plane a metre ahead, n the
-  /// unit normal in the picture's axes.
-  double seen_m2 = 0;
+  double seen_m2 = 0;  ///< surface in view (seen_area.h)
 };
 
 /// A stage, made ready once. A look rests on (stage, seed, its number) alone, bit for bit: looks
@@ -58,8 +52,9 @@ struct StagedLook {
 ///     none within the size of another; how they lie and how wide they are is as in any run
 ///     (`mark_of`).
 ///
-/// The quality beside each defect is the inspection's, with an instrument made of the sensor's
-/// lens, and one lamp of the light of all of its lamps, as far aside as they are at the mean.
+/// The quality beside each defect is the inspection's, by the instrument that it would have of the
+/// camera (camera_instrument.h). Behind the surfaces is open water or sky: no sea, no bed but what
+/// the stage lists.
 class Stage {
  public:
   explicit Stage(LookStage stage);
@@ -78,8 +73,5 @@ class Stage {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
-
-/// The instrument that the inspection would have of a camera.
-[[nodiscard]] Instrument instrument_of(const RenderSensor& sensor, double lamps = 1);
 
 }  // namespace slackwater::twin
