@@ -91,10 +91,18 @@ PlantedInLook planted_of(const json& one, const std::string& what) {
   if (!(planted.size_m > 0))
     refuse(formatted("{}: found size_m {:g}, expected more than 0", what, planted.size_m));
   planted.ground_sampling_m = number_of(one, "ground_sampling_m", what);
+  if (!(planted.ground_sampling_m >= 0))
+    refuse(formatted("{}: found ground_sampling_m {:g}, expected 0 or more", what,
+                     planted.ground_sampling_m));
   const auto detail = one.find("detail_m");
   planted.detail_m = detail != one.end() && detail->is_null()
                          ? std::numeric_limits<double>::infinity()
                          : number_of(one, "detail_m", what);
+  if (!(planted.detail_m > 0))
+    refuse(
+        formatted("{}: found detail_m {:g}, expected more than 0, or null where the place is not "
+                  "seen",
+                  what, planted.detail_m));
   const auto centre = one.find("centre_px");
   if (centre == one.end() || !centre->is_array() || centre->size() != 2 ||
       !centre->at(0).is_number() || !centre->at(1).is_number())
@@ -111,6 +119,8 @@ std::optional<LookFacts> look_of(const json& one, const std::string& what) {
                  number_of(*found, "visibility_m", what),
                  number_of(*found, "seen_m2", what),
                  {}};
+  if (!(look.seen_m2 >= 0))
+    refuse(formatted("{}: found seen_m2 {:g}, expected 0 or more", what, look.seen_m2));
   for (const json& planted : list_of(*found, "planted"))
     look.planted.push_back(planted_of(planted, what + ", planted"));
   return look;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "fields/base/error.h"
@@ -95,6 +96,50 @@ TEST_F(ReadLabelledPictures, RefusesWhatIsNoSuchSetAndSaysWhere) {
          "below the folder of the set");
   std::ofstream(folder_ / "other.json") << "{}";
   EXPECT_TRUE(contains(refusal(set_with("")), "found 2 JSON files"));
+}
+
+/// One picture of a stage, whose look planted one defect; `planted` and `number` as they are.
+std::string look_with(const std::string& planted, const std::string& number,
+                      const std::string& seen_m2 = "0.5") {
+  return R"({"images": [{"id": 3, "file_name": "a.png", "width": 64, "height": 48, "look": )"
+         R"({"range_m": 1.5, "visibility_m": 6, "seen_m2": )" +
+         seen_m2 + R"(, "planted": [)" + planted + "]}}], " + categories +
+         R"(, "annotations": [{"image_id": 3, "category_id": 1, "bbox": [1, 2, 3, 4], )" +
+         R"("planted_number": )" + number + "}]}";
+}
+std::string planted_with(const std::string& size_m, const std::string& detail_m,
+                         const std::string& centre_px = "[12.5, 20]") {
+  return R"({"kind": "corrosion", "ground_sampling_m": 0.002, "size_m": )" + size_m +
+         R"(, "detail_m": )" + detail_m + R"(, "centre_px": )" + centre_px + "}";
+}
+
+TEST_F(ReadLabelledPictures, KnowsWhatALookAtAStagePlanted) {
+  const auto set = read(look_with(planted_with("0.1", "null"), "0"));
+  ASSERT_TRUE(set.pictures.at(0).look.has_value());
+  const api::LookFacts& look = *set.pictures[0].look;
+  EXPECT_EQ(look.range_m, 1.5);
+  EXPECT_EQ(look.visibility_m, 6);
+  ASSERT_EQ(look.planted.size(), 1U);
+  EXPECT_EQ(look.planted[0].of, "corrosion");
+  EXPECT_EQ(look.planted[0].u, 12.5);
+  EXPECT_TRUE(std::isinf(look.planted[0].detail_m)) << "null: not seen";
+  EXPECT_EQ(set.pictures[0].labels.at(0).planted, 0U);
+}
+
+TEST_F(ReadLabelledPictures, RefusesLooksThatCannotBe) {
+  const auto says = [&](const std::string& json, const std::string& words) {
+    const std::string why = refusal(json);
+    EXPECT_TRUE(contains(why, words)) << why;
+  };
+  const std::string one = planted_with("0.1", "0.003");
+  says(look_with(one, "1"), "planted_number 1, but the look planted 1");
+  says(look_with(one, "-1"), "planted_number -1");
+  says(look_with(one, R"("0")"), "no whole number planted_number");
+  says(look_with(one, "0", "-1"), "seen_m2 -1, expected 0 or more");
+  says(look_with(planted_with("0", "0.003"), "0"), "size_m 0, expected more than 0");
+  says(look_with(planted_with("0.1", "0"), "0"), "detail_m 0, expected more than 0");
+  says(look_with(planted_with("0.1", R"("fine")"), "0"), "no number detail_m");
+  says(look_with(planted_with("0.1", "0.003", "[1]"), "0"), "expected [u, v] in pixels");
 }
 
 }  // namespace

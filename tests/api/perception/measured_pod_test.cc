@@ -58,6 +58,7 @@ TEST(MeasuredPodOfLooks, IsTheCurveThatTheDetectorHas) {
   const double detail_m = 0.004;
   for (const double size_m : {0.03, 0.1, 0.3}) {
     const double shrunk_m = size_m * std::min(1.0, pod.at_detail_m / detail_m);
+    // Three deviations of a share of some 4 000 looks, spread over the curve.
     EXPECT_NEAR(twin::pod_of(pod.fit->curve, shrunk_m), twin::pod_of(truth, size_m / 2), 0.04);
   }
 }
