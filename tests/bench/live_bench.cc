@@ -428,7 +428,7 @@ void camera_beside(BenchReport& report) {
   const auto recording =
       std::make_shared<live::RecordingOutlet>(folder / "seen.mcap", [](const std::string&) {});
   Live how;
-  how.settings.sensors = {{"v0", "rov_camera", 2}};
+  how.settings.see.sensors = {{"v0", "rov_camera", 2}};
   how.settings.outlets.push_back(recording);
   double from_s = -1, to_s = 0;
   how.also = [&](const api::RunInHand& hand) {

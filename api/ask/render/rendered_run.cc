@@ -50,15 +50,11 @@ struct RenderedRun::Parts {
         poses(log),
         water(water_of_log(scenario, log.attribute("forecast_sha256"), store_folder,
                            chosen.forecast)),
-        mounted{twin::read_named_render_sensor(chosen.sensor, water.surround.data_folder),
-                0,
-                twin::read_named_water_type(chosen.water_type, water.surround.data_folder),
-                twin::read_named_warmth(chosen.warmth, water.surround.data_folder),
-                chosen.is_overcast,
-                chosen.threads},
+        mounted(mounted_sensor(chosen.sensor, 0, chosen.sight, water.surround.data_folder)),
         run(scenario, water.surround, log.names),
         weather(weather_in(log)) {
     mounted.vehicle = chosen_vehicle();
+    mounted.threads = chosen.threads;
     warnings = run.warnings(mounted.vehicle);
   }
 

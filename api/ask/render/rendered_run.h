@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/ask/render/render_view.h"
+#include "api/ask/render/sight_choice.h"
 #include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
 
@@ -16,9 +17,7 @@ struct RenderChoice {
   std::filesystem::path log;
   std::string sensor;   ///< of data/sensors
   std::string vehicle;  ///< empty: the only one, or the first that the sensor's medium suits
-  std::string water_type = "coastal_3";  ///< of data/waters: how the water takes colours
-  std::string warmth = "summer_day";     ///< of data/warmth: how warm all is, to infrared
-  bool is_overcast = false;
+  SightChoice sight;
   int threads = 1;
   std::optional<std::filesystem::path> forecast;  ///< of its water, where not in the store
 };

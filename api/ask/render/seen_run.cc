@@ -49,6 +49,16 @@ std::span<const std::uint16_t> defects_shown(const SeenByDevice& seen) {
 
 }  // namespace
 
+MountedSensor mounted_sensor(const std::string& sensor, std::size_t vehicle,
+                             const SightChoice& sight, const std::filesystem::path& data_folder) {
+  return {twin::read_named_render_sensor(sensor, data_folder),
+          vehicle,
+          twin::read_named_water_type(sight.water_type, data_folder),
+          twin::read_named_warmth(sight.warmth, data_folder),
+          sight.is_overcast,
+          1};
+}
+
 SeenRun::SeenRun(twin::Scenario scenario, twin::Surround surround,
                  std::vector<std::string> vehicles)
     : scenario_(without_traffic(std::move(scenario))),

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "api/ask/render/render_view.h"
+#include "api/ask/render/sight_choice.h"
 #include "twin/inspection/instrument/pose.h"
 #include "twin/render/light/lit_scene.h"
 #include "twin/render/light/warmth.h"
@@ -24,6 +26,12 @@ struct MountedSensor {
   bool is_overcast = false;
   int threads = 1;
 };
+/// @param sensor   of data/sensors, by its name
+/// @param vehicle  its place among those of the run
+/// @throws Error(invalid_input) for a name that is none of those in its folder
+[[nodiscard]] MountedSensor mounted_sensor(const std::string& sensor, std::size_t vehicle,
+                                           const SightChoice& sight,
+                                           const std::filesystem::path& data_folder);
 
 /// What of a run moves, at a moment.
 struct SeenMoment {

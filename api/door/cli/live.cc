@@ -11,6 +11,7 @@
 #include "api/door/cli/recorded_run.h"
 #include "api/door/cli/recordings.h"
 #include "api/door/cli/run_print.h"
+#include "api/door/cli/sight_options.h"
 #include "api/door/foxglove/broadcast.h"
 #include "api/door/http/router.h"
 #include "api/door/http/server.h"
@@ -36,6 +37,7 @@ struct LiveArguments {
   double factor = 1;
   std::string when_host_fails = "take-back";
   std::vector<std::string> sensors;
+  SightChoice sight;
   std::vector<std::filesystem::path> recordings;
   std::vector<std::filesystem::path> played_commands;
   std::filesystem::path played_traffic;
@@ -194,20 +196,21 @@ json sensors_json(const std::vector<live::SensorTold>& told) {
 }
 
 /// @throws Error(usage) also where nobody could see anything of them
-std::vector<live::SensorAsked> sensors_of(const LiveArguments& arguments) {
-  std::vector<live::SensorAsked> sensors;
-  for (const std::string& text : arguments.sensors) sensors.push_back(live::sensor_asked(text));
+live::SensorsAsked sensors_of(const LiveArguments& arguments) {
+  live::SensorsAsked asked{{}, arguments.sight};
+  for (const std::string& text : arguments.sensors)
+    asked.sensors.push_back(live::sensor_asked(text));
   const bool is_heard = arguments.domain || arguments.viewer_port || arguments.people_port ||
                         !arguments.recordings.empty();
-  if (!sensors.empty() && !is_heard)
+  if (!asked.sensors.empty() && !is_heard)
     throw Error(ErrorKind::usage,
                 "--see: nobody would see it; say where it goes: --dds-domain, --record, "
                 "--viewer-port or --people");
-  return sensors;
+  return asked;
 }
 
 void run_live(const LiveArguments& arguments, const Context& context) {
-  const std::vector<live::SensorAsked> sensors = sensors_of(arguments);
+  const live::SensorsAsked see = sensors_of(arguments);
   expect_output("--out", arguments.out, {".nc"});
   expect_output("--html", arguments.html, {".html"});
   Recordings recordings(arguments.recordings);
@@ -217,7 +220,7 @@ void run_live(const LiveArguments& arguments, const Context& context) {
   if (!arguments.played_traffic.empty())
     live::add_bag_traffic(arguments.played_traffic, scenario, water);
   live::LiveSettings settings = settings_of(arguments, scenario, water);
-  settings.sensors = sensors;
+  settings.see = see;
   Viewers viewers;
   if (arguments.viewer_port) {
     viewers = open_viewers(*arguments.viewer_port, scenario.name);
@@ -320,6 +323,7 @@ void add_live(CLI::App& app, Context& context) {
   command->add_option("--see", arguments->sensors,
                       "a sensor on a vehicle: VEHICLE/SENSOR@RATE, of data/sensors, in Hz of the "
                       "run's time, as in rov/rov_camera@2; repeatable");
+  add_sight_options(*command, arguments->sight);
   command->add_option("--record", arguments->recordings,
                       "bag of all messages: FILE.mcap, or a folder for rosbag2; repeatable");
   command->add_option("--play-commands", arguments->played_commands,

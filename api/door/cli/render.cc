@@ -9,6 +9,7 @@
 #include "api/ask/render/rendered_run.h"
 #include "api/door/cli/command.h"
 #include "api/door/cli/progress.h"
+#include "api/door/cli/sight_options.h"
 #include "api/show/render/picture_labels.h"
 #include "api/show/render/view_file.h"
 #include "api/show/render/waterfall.h"
@@ -176,12 +177,7 @@ void add_render(CLI::App& app, Context& context) {
   command->add_option("--vehicle", arguments->choice.vehicle,
                       "that carries it (default: the first in the sensor's medium)");
   command->add_option("--out", arguments->out, "folder of the pictures (default: LOG-SENSOR)");
-  command->add_option("--water", arguments->choice.water_type,
-                      "how the water takes colours, a file in data/waters (default coastal_3)");
-  command->add_option("--warmth", arguments->choice.warmth,
-                      "how warm all is, to infrared, a file in data/warmth (default summer_day)");
-  command->add_flag("--overcast", arguments->choice.is_overcast,
-                    "no sun (default: a clear sky, the sun where it stood)");
+  add_sight_options(*command, arguments->choice.sight);
   command->add_option("--forecast", arguments->forecast,
                       "file of the forecast it ran in (default: found in the store)");
   command->add_option("--threads", arguments->choice.threads, "1 to 64 (default 1)")

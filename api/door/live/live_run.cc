@@ -58,8 +58,8 @@ struct LiveRun::Parts {
     alarms = std::make_unique<AlarmPublisher>(stream, place, hand.watch, hand.vessels);
     if (participant) open_doors(hand, settings);
     open_for_all();
-    if (!settings.sensors.empty()) {
-      sensors = std::make_unique<SensorPublisher>(stream, place, hand, names, settings.sensors,
+    if (!settings.see.sensors.empty()) {
+      sensors = std::make_unique<SensorPublisher>(stream, place, hand, names, settings.see,
                                                   settings.on_picture, settings.on_trouble);
       stream.opened();
     }

@@ -28,7 +28,7 @@ struct LiveSettings {
   std::vector<std::filesystem::path> played_commands;
   /// Recordings, viewers: told of everything besides.
   std::vector<std::shared_ptr<Outlet>> outlets;
-  std::vector<SensorAsked> sensors;     ///< that its vehicles carry
+  SensorsAsked see;                     ///< that its vehicles carry
   OnPicture on_picture;                 ///< what its cameras saw, for people; may be null
   std::shared_ptr<ActionPost> actions;  ///< of people who take part; null: nobody can
   /// What operators should know of. From any thread.

@@ -1,5 +1,8 @@
 #pragma once
 #include <string>
+#include <vector>
+
+#include "api/ask/render/sight_choice.h"
 
 namespace slackwater::live {
 
@@ -8,6 +11,12 @@ struct SensorAsked {
   std::string vehicle;  ///< its name in the scenario
   std::string sensor;   ///< of data/sensors
   double rate_hz = 0;   ///< of the run's time
+};
+
+/// All that are put on a run's vehicles, and how one sees there.
+struct SensorsAsked {
+  std::vector<SensorAsked> sensors;
+  api::SightChoice sight;
 };
 
 /// "rov/rov_camera@2": VEHICLE/SENSOR@RATE.

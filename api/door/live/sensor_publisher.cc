@@ -6,26 +6,43 @@
 #include "api/ask/render/logged_poses.h"
 #include "api/door/dds/message/names.h"
 #include "api/door/dds/message/sensor_messages.h"
+#include "api/door/dds/message/sonar_messages.h"
 #include "api/perception/jpeg.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "twin/render/light/heat_tones.h"
 
 namespace slackwater::live {
 namespace {
 
-/// As RenderChoice has it where nobody says otherwise.
-constexpr const char* usual_water = "coastal_3";
-
 /// Of a step, within which a moment counts as come: steps are not exact in binary.
 constexpr double moment_rounding_s = 1e-6;
 
-dds::SensorAxes axes_of(const twin::RenderSensor& sensor) {
-  if (sensor.is_camera()) return dds::SensorAxes::camera;
-  if (std::holds_alternative<twin::LidarSheet>(sensor.device)) return dds::SensorAxes::scanner;
-  if (std::holds_alternative<twin::ImagingSonarSheet>(sensor.device)) return dds::SensorAxes::fan;
-  throw Error(
-      ErrorKind::invalid_input,
-      "found a sensor that no topic is for, expected a camera, a lidar or an imaging sonar");
+/// Of cameras, of light or of heat: they have a picture for people, and a picture's size.
+struct CameraFrame {
+  const twin::TruthFrame& truth;
+  const std::array<double, 9>& matrix;
+};
+std::optional<CameraFrame> camera_frame(const api::RenderView& view) {
+  if (const auto* camera = std::get_if<api::CameraView>(&view.seen))
+    return CameraFrame{camera->truth, camera->matrix};
+  if (const auto* infrared = std::get_if<api::InfraredView>(&view.seen))
+    return CameraFrame{infrared->truth, infrared->matrix};
+  return std::nullopt;
+}
+bool shows_pictures(const twin::RenderSensor& sensor) {
+  return sensor.is_camera() || std::holds_alternative<twin::InfraredSheet>(sensor.device);
+}
+
+std::vector<std::uint8_t> jpeg_of_heat(const twin::InfraredFrame& heat) {
+  twin::Picture grey{heat.wide, heat.high, {}};
+  for (const std::uint8_t tone : twin::heat_tones(heat)) grey.rgb.insert(grey.rgb.end(), 3, tone);
+  return api::jpeg_of(grey);
+}
+std::vector<std::uint8_t> jpeg_of_view(const api::RenderView& view) {
+  if (const auto* camera = std::get_if<api::CameraView>(&view.seen))
+    return api::jpeg_of(camera->picture);
+  return jpeg_of_heat(std::get<api::InfraredView>(view.seen).heat);
 }
 
 /// What was seen, and the JPEG of it where one is needed.
@@ -36,18 +53,33 @@ struct Seen {
 };
 using ToMessage = dds::Bytes (*)(const Seen& seen, const dds::SensorStamp& of);
 
+template <dds::SensorAxes axes>
 dds::Bytes pose_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::sensor_pose(seen.view.pose, axes_of(seen.sensor), of.stamp);
+  return dds::sensor_pose(seen.view.pose, axes, of.stamp);
 }
 dds::Bytes image_message_of(const Seen& seen, const dds::SensorStamp& of) {
   return dds::compressed_image(seen.jpeg, of);
 }
 dds::Bytes info_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  const auto& camera = std::get<api::CameraView>(seen.view.seen);
-  return dds::camera_info(camera.truth.wide, camera.truth.high, camera.matrix, of);
+  const CameraFrame frame = *camera_frame(seen.view);
+  return dds::camera_info(frame.truth.wide, frame.truth.high, frame.matrix, of);
 }
 dds::Bytes depth_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::depth_image(std::get<api::CameraView>(seen.view.seen).truth, of);
+  return dds::depth_image(camera_frame(seen.view)->truth, of);
+}
+const api::RightView& right_of(const Seen& seen) {
+  return *std::get<api::CameraView>(seen.view.seen).right;
+}
+dds::Bytes right_image_message_of(const Seen& seen, const dds::SensorStamp& of) {
+  return dds::compressed_image(api::jpeg_of(right_of(seen).picture), of);
+}
+dds::Bytes right_info_message_of(const Seen& seen, const dds::SensorStamp& of) {
+  const api::RightView& right = right_of(seen);
+  return dds::camera_info(right.picture.wide, right.picture.high, camera_frame(seen.view)->matrix,
+                          of, right.baseline_m);
+}
+dds::Bytes heat_message_of(const Seen& seen, const dds::SensorStamp& of) {
+  return dds::heat_image(std::get<api::InfraredView>(seen.view.seen).heat, of);
 }
 dds::Bytes points_message_of(const Seen& seen, const dds::SensorStamp& of) {
   return dds::point_cloud(std::get<twin::LidarScan>(seen.view.seen),
@@ -58,36 +90,78 @@ dds::Bytes sonar_message_of(const Seen& seen, const dds::SensorStamp& of) {
                           std::get<twin::ImagingSonarSheet>(seen.sensor.device),
                           seen.sensor.most_range_m, of);
 }
+dds::Bytes side_scan_message_of(const Seen& seen, const dds::SensorStamp& of) {
+  return dds::side_scan_image(std::get<twin::SideScanPing>(seen.view.seen),
+                              std::get<twin::SideScanSheet>(seen.sensor.device), of);
+}
+dds::Bytes ranges_message_of(const Seen& seen, const dds::SensorStamp& of) {
+  return dds::sonar_ranges(std::get<api::MultibeamView>(seen.view.seen).soundings,
+                           std::get<twin::MultibeamSheet>(seen.sensor.device), of);
+}
+dds::Bytes range_message_of(const Seen& seen, const dds::SensorStamp& of) {
+  return dds::range_message(std::get<twin::EchoSounding>(seen.view.seen),
+                            std::get<twin::EchoSounderSheet>(seen.sensor.device),
+                            {seen.sensor.least_range_m, seen.sensor.most_range_m}, of);
+}
+dds::Bytes currents_message_of(const Seen& seen, const dds::SensorStamp& of) {
+  return dds::current_cloud(std::get<twin::CurrentProfile>(seen.view.seen), of);
+}
 
 struct SensorTopic {
   const char* name;
   const char* type;
   ToMessage message;
 };
+using SensorTopics = std::vector<SensorTopic>;
+
+template <dds::SensorAxes axes>
+constexpr SensorTopic pose_topic{"pose", "geometry_msgs/msg/PoseStamped", pose_message_of<axes>};
+constexpr SensorTopic camera_pose = pose_topic<dds::SensorAxes::camera>;
+constexpr SensorTopic scanner_pose = pose_topic<dds::SensorAxes::scanner>;
+constexpr SensorTopic fan_pose = pose_topic<dds::SensorAxes::fan>;
 constexpr SensorTopic image_topic{"image/compressed", "sensor_msgs/msg/CompressedImage",
                                   image_message_of};
-constexpr SensorTopic pose_topic{"pose", "geometry_msgs/msg/PoseStamped", pose_message_of};
-constexpr SensorTopic camera_topics[] = {
-    image_topic,
-    {"camera_info", "sensor_msgs/msg/CameraInfo", info_message_of},
-    {"depth", "sensor_msgs/msg/Image", depth_message_of},
-    pose_topic};
-constexpr SensorTopic scanner_topics[] = {
-    {"points", "sensor_msgs/msg/PointCloud2", points_message_of}, pose_topic};
-constexpr SensorTopic fan_topics[] = {
-    {"sonar", "marine_acoustic_msgs/msg/ProjectedSonarImage", sonar_message_of}, pose_topic};
+constexpr SensorTopic info_topic{"camera_info", "sensor_msgs/msg/CameraInfo", info_message_of};
+constexpr SensorTopic depth_topic{"depth", "sensor_msgs/msg/Image", depth_message_of};
 
-std::span<const SensorTopic> topics_of(const twin::RenderSensor& sensor) {
-  switch (axes_of(sensor)) {
-    case dds::SensorAxes::camera:
-      return camera_topics;
-    case dds::SensorAxes::scanner:
-      return scanner_topics;
-    case dds::SensorAxes::fan:
-      break;
+/// By device; of cameras the picture comes first.
+struct TopicsOf {
+  SensorTopics operator()(const twin::CameraSheet& sheet) const {
+    SensorTopics topics{image_topic, info_topic, depth_topic, camera_pose};
+    if (sheet.baseline_m > 0) {
+      topics.push_back(
+          {"right/image/compressed", "sensor_msgs/msg/CompressedImage", right_image_message_of});
+      topics.push_back({"right/camera_info", "sensor_msgs/msg/CameraInfo", right_info_message_of});
+    }
+    return topics;
   }
-  return fan_topics;
-}
+  SensorTopics operator()(const twin::InfraredSheet&) const {
+    return {image_topic,
+            info_topic,
+            depth_topic,
+            {"temperature", "sensor_msgs/msg/Image", heat_message_of},
+            camera_pose};
+  }
+  SensorTopics operator()(const twin::LidarSheet&) const {
+    return {{"points", "sensor_msgs/msg/PointCloud2", points_message_of}, scanner_pose};
+  }
+  SensorTopics operator()(const twin::ImagingSonarSheet&) const {
+    return {{"sonar", "marine_acoustic_msgs/msg/ProjectedSonarImage", sonar_message_of}, fan_pose};
+  }
+  SensorTopics operator()(const twin::SideScanSheet&) const {
+    return {{"sonar", "marine_acoustic_msgs/msg/ProjectedSonarImage", side_scan_message_of},
+            fan_pose};
+  }
+  SensorTopics operator()(const twin::MultibeamSheet&) const {
+    return {{"ranges", "marine_acoustic_msgs/msg/SonarRanges", ranges_message_of}, fan_pose};
+  }
+  SensorTopics operator()(const twin::EchoSounderSheet&) const {
+    return {{"range", "sensor_msgs/msg/Range", range_message_of}, scanner_pose};
+  }
+  SensorTopics operator()(const twin::Adcp&) const {
+    return {{"currents", "sensor_msgs/msg/PointCloud2", currents_message_of}, scanner_pose};
+  }
+};
 
 std::vector<std::string> names_of_all(const twin::Run& run) {
   std::vector<std::string> names;
@@ -137,8 +211,8 @@ std::string SensorTold::text() const {
 }
 
 SensorPublisher::SensorPublisher(Stream& stream, const RunPlace& place, const api::RunInHand& hand,
-                                 const std::vector<std::string>& names,
-                                 const std::vector<SensorAsked>& asked, OnPicture on_picture,
+                                 const std::vector<std::string>& names, const SensorsAsked& asked,
+                                 OnPicture on_picture,
                                  std::function<void(const std::string&)> on_trouble)
     : stream_(stream),
       place_(place),
@@ -148,7 +222,7 @@ SensorPublisher::SensorPublisher(Stream& stream, const RunPlace& place, const ap
       seen_(hand.scenario, with_shelves(hand.water.surround, hand.run), names_of_all(hand.run)),
       weather_(std::make_shared<const std::vector<twin::Command>>()) {
   const auto first = moment(hand.run.time_s());
-  for (const SensorAsked& one : asked) {
+  for (const SensorAsked& one : asked.sensors) {
     with_context(formatted("--see {}/{}", one.vehicle, one.sensor), [&] {
       const bool is_known = std::any_of(eyes_.begin(), eyes_.end(), [&](const Eye& eye) {
         return eye.asked.vehicle == one.vehicle && eye.asked.sensor == one.sensor;
@@ -156,7 +230,7 @@ SensorPublisher::SensorPublisher(Stream& stream, const RunPlace& place, const ap
       if (is_known)
         throw Error(ErrorKind::invalid_input,
                     "found it twice, expected once with the rate that is meant");
-      Eye eye = eye_of(one, hand);
+      Eye eye = eye_of(one, asked.sight, hand);
       seen_.expect_sees(eye.mounted, {first->t_s, first->vehicles, *first->weather});
       eyes_.push_back(std::move(eye));
     });
@@ -174,7 +248,8 @@ SensorPublisher::SensorPublisher(Stream& stream, const RunPlace& place, const ap
 SensorPublisher::~SensorPublisher() = default;
 
 SensorPublisher::Eye SensorPublisher::eye_of(const SensorAsked& asked,
-                                             const api::RunInHand& hand) const {
+                                             const api::SightChoice& sight,
+                                             const api::RunInHand& hand) {
   const std::vector<std::string> all = names_of_all(hand.run);
   const auto vehicle = std::find(all.begin(), all.end(), asked.vehicle);
   if (vehicle == all.end())
@@ -187,16 +262,14 @@ SensorPublisher::Eye SensorPublisher::eye_of(const SensorAsked& asked,
   const std::filesystem::path& data = hand.water.surround.data_folder;
   Eye eye;
   eye.asked = asked;
-  eye.mounted.sensor = twin::read_named_render_sensor(asked.sensor, data);
-  (void)axes_of(eye.mounted.sensor);
-  eye.mounted.vehicle = static_cast<std::size_t>(vehicle - all.begin());
-  eye.mounted.water_type = twin::read_named_water_type(usual_water, data);
+  eye.mounted = api::mounted_sensor(asked.sensor, static_cast<std::size_t>(vehicle - all.begin()),
+                                    sight, data);
   return eye;
 }
 
 void SensorPublisher::open_topics(Eye& eye, const std::string& name) {
   eye.frame_id = name + "/" + dds::ros_token(eye.asked.sensor);
-  for (const SensorTopic& topic : topics_of(eye.mounted.sensor))
+  for (const SensorTopic& topic : std::visit(TopicsOf{}, eye.mounted.sensor.device))
     eye.topics.push_back(
         {stream_.open("/" + eye.frame_id + "/" + topic.name, topic.type, sensor_quality),
          topic.message});
@@ -228,9 +301,8 @@ void SensorPublisher::look(const Eye& eye, const Moment& moment,
   const api::RenderView view =
       seen_.look(eye.mounted, {moment.t_s, moment.vehicles, *moment.weather});
   auto jpeg = std::make_shared<std::vector<std::uint8_t>>();
-  const auto* camera = std::get_if<api::CameraView>(&view.seen);
-  if (camera != nullptr && (on_picture_ || is_wanted.front()))
-    *jpeg = api::jpeg_of(camera->picture);
+  const std::optional<CameraFrame> camera = camera_frame(view);
+  if (camera && (on_picture_ || is_wanted.front())) *jpeg = jpeg_of_view(view);
   const Seen seen{eye.mounted.sensor, view, *jpeg};
   const dds::SensorStamp of{dds::stamp_of(place_.epoch, moment.t_s), eye.frame_id};
   std::vector<Made> made;
@@ -240,9 +312,9 @@ void SensorPublisher::look(const Eye& eye, const Moment& moment,
     const std::lock_guard lock(mutex_);
     std::move(made.begin(), made.end(), std::back_inserter(made_));
   }
-  if (camera != nullptr && on_picture_)
-    on_picture_({eye.mounted.vehicle, eye.asked.sensor, moment.t_s, moment.at, camera->picture.wide,
-                 camera->picture.high, std::move(jpeg)});
+  if (camera && on_picture_)
+    on_picture_({eye.mounted.vehicle, eye.asked.sensor, moment.t_s, moment.at, camera->truth.wide,
+                 camera->truth.high, std::move(jpeg)});
 }
 
 /// Recorded when it is told, and not in the past: the moment is in its header.
@@ -267,7 +339,7 @@ void SensorPublisher::speak(double t_s) {
     std::vector<bool> is_wanted;
     for (const Eye::Topic& topic : eye.topics)
       is_wanted.push_back(stream_.is_wanted(topic.channel));
-    const bool is_shown = on_picture_ && eye.mounted.sensor.is_camera();
+    const bool is_shown = on_picture_ && shows_pictures(eye.mounted.sensor);
     if (!is_shown && std::find(is_wanted.begin(), is_wanted.end(), true) == is_wanted.end())
       continue;
     if (!now) now = moment(t_s);

@@ -50,7 +50,7 @@ class SensorPublisher {
   ///         vehicle or a sensor that is not there, one that is asked for twice, more pictures than
   ///         steps, a sensor outside of its medium
   SensorPublisher(Stream& stream, const RunPlace& place, const api::RunInHand& hand,
-                  const std::vector<std::string>& names, const std::vector<SensorAsked>& asked,
+                  const std::vector<std::string>& names, const SensorsAsked& asked,
                   OnPicture on_picture, std::function<void(const std::string&)> on_trouble);
   ~SensorPublisher();
   SensorPublisher(const SensorPublisher&) = delete;
@@ -65,7 +65,8 @@ class SensorPublisher {
  private:
   struct Moment;
   struct Eye;
-  [[nodiscard]] Eye eye_of(const SensorAsked& asked, const api::RunInHand& hand) const;
+  [[nodiscard]] static Eye eye_of(const SensorAsked& asked, const api::SightChoice& sight,
+                                  const api::RunInHand& hand);
   void open_topics(Eye& eye, const std::string& name);
   [[nodiscard]] std::shared_ptr<const Moment> moment(double t_s);
   void look(const Eye& eye, const Moment& moment, const std::vector<bool>& is_wanted);

@@ -12,6 +12,7 @@
 #include "fields/base/whole_file.h"
 #include "ingest/netcdf/file.h"
 #include "twin/inspection/defect/defect_kind.h"
+#include "twin/render/light/heat_tones.h"
 
 namespace slackwater::api {
 namespace {
@@ -28,20 +29,7 @@ void write_png_of(const CameraView& seen, const RenderView& /*view*/,
 
 void write_png_of(const InfraredView& seen, const RenderView& /*view*/,
                   const std::filesystem::path& file) {
-  // From the coldest hundredth to the warmest: a cold sky leaves the rest its tones.
-  std::vector<float> sorted = seen.heat.apparent_k;
-  const auto at = [&](double share) {
-    const auto nth = sorted.begin() +
-                     static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
-    std::nth_element(sorted.begin(), nth, sorted.end());
-    return *nth;
-  };
-  const float coldest_k = at(0.01), warmest_k = std::max(at(0.99), coldest_k + 0.1F);
-  std::vector<std::uint8_t> grey;
-  for (const float one : seen.heat.apparent_k)
-    grey.push_back(static_cast<std::uint8_t>(
-        255 * std::clamp((one - coldest_k) / (warmest_k - coldest_k), 0.0F, 1.0F)));
-  write_png(file, seen.heat.wide, seen.heat.high, 1, grey);
+  write_png(file, seen.heat.wide, seen.heat.high, 1, twin::heat_tones(seen.heat));
 }
 
 void write_png_of(const twin::LidarScan& scan, const RenderView& /*view*/,

@@ -1,23 +1,14 @@
 #include "api/door/dds/message/sensor_messages.h"
 
-#include <bit>
 #include <cmath>
-#include <cstring>
-#include <utility>
 
 #include "api/door/dds/message/cdr.h"
+#include "api/door/dds/message/float_messages.h"
 #include "api/door/dds/message/map_frame.h"
 #include "api/door/dds/message/parts.h"
-#include "fields/base/check.h"
-#include "marine_acoustic_msgs.h"
-#include "sensor_msgs.h"
-#include "twin/render/ranging/fan.h"
 
 namespace slackwater::dds {
 namespace {
-
-constexpr std::uint32_t float_bytes = sizeof(float);
-static_assert(std::endian::native == std::endian::little, "messages say so of their numbers");
 
 /// Unit, ENU.
 struct FrameAxes {
@@ -64,20 +55,15 @@ geometry_msgs::msg::Quaternion turned_by(const FrameAxes& a) {
   return q;
 }
 
-std::vector<std::uint8_t> bytes_of(std::span<const float> numbers) {
-  std::vector<std::uint8_t> bytes(numbers.size_bytes());
-  if (!bytes.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
-  return bytes;
-}
-
-sensor_msgs::msg::PointField field_at(const char* name, std::uint32_t offset) {
-  constexpr std::uint8_t float32 = 7;
-  sensor_msgs::msg::PointField field;
-  field.name(name);
-  field.offset(offset);
-  field.datatype(float32);
-  field.count(1);
-  return field;
+Bytes number_image(int wide, int high, std::span<const float> numbers, const SensorStamp& of) {
+  sensor_msgs::msg::Image message;
+  message.header(header_message(of.stamp, of.frame_id));
+  message.width(static_cast<std::uint32_t>(wide));
+  message.height(static_cast<std::uint32_t>(high));
+  message.encoding("32FC1");
+  message.step(message.width() * static_cast<std::uint32_t>(sizeof(float)));
+  message.data(float_bytes_of(numbers));
+  return encoded(message);
 }
 
 }  // namespace
@@ -98,7 +84,8 @@ Bytes compressed_image(std::span<const std::uint8_t> jpeg, const SensorStamp& of
   return encoded(message);
 }
 
-Bytes camera_info(int wide, int high, const std::array<double, 9>& matrix, const SensorStamp& of) {
+Bytes camera_info(int wide, int high, const std::array<double, 9>& matrix, const SensorStamp& of,
+                  double baseline_m) {
   std::array<double, 9> k = matrix;
   k[2] -= 0.5;
   k[5] -= 0.5;
@@ -110,19 +97,16 @@ Bytes camera_info(int wide, int high, const std::array<double, 9>& matrix, const
   message.d().assign(5, 0.0);
   message.k(k);
   message.r({1, 0, 0, 0, 1, 0, 0, 0, 1});
-  message.p({k[0], k[1], k[2], 0, k[3], k[4], k[5], 0, k[6], k[7], k[8], 0});
+  message.p({k[0], k[1], k[2], -k[0] * baseline_m, k[3], k[4], k[5], 0, k[6], k[7], k[8], 0});
   return encoded(message);
 }
 
 Bytes depth_image(const twin::TruthFrame& truth, const SensorStamp& of) {
-  sensor_msgs::msg::Image message;
-  message.header(header_message(of.stamp, of.frame_id));
-  message.width(static_cast<std::uint32_t>(truth.wide));
-  message.height(static_cast<std::uint32_t>(truth.high));
-  message.encoding("32FC1");
-  message.step(static_cast<std::uint32_t>(truth.wide) * float_bytes);
-  message.data(bytes_of(truth.depth_m));
-  return encoded(message);
+  return number_image(truth.wide, truth.high, truth.depth_m, of);
+}
+
+Bytes heat_image(const twin::InfraredFrame& heat, const SensorStamp& of) {
+  return number_image(heat.wide, heat.high, heat.apparent_k, of);
 }
 
 Bytes point_cloud(const twin::LidarScan& scan, const twin::LidarSheet& sheet,
@@ -143,47 +127,8 @@ Bytes point_cloud(const twin::LidarScan& scan, const twin::LidarSheet& sheet,
         numbers.push_back(static_cast<float>(number));
       numbers.push_back(scan.intensity[at]);
     }
-  sensor_msgs::msg::PointCloud2 message;
-  message.header(header_message(of.stamp, of.frame_id));
-  message.height(static_cast<std::uint32_t>(scan.channels));
-  message.width(static_cast<std::uint32_t>(scan.columns));
-  for (const auto& [name, place] :
-       {std::pair{"x", 0U}, std::pair{"y", 1U}, std::pair{"z", 2U}, std::pair{"intensity", 3U}})
-    message.fields().push_back(field_at(name, place * float_bytes));
-  message.point_step(of_a_point * float_bytes);
-  message.row_step(message.width() * message.point_step());
-  message.data(bytes_of(numbers));
-  return encoded(message);
-}
-
-Bytes sonar_image(const twin::SonarImage& image, const twin::ImagingSonarSheet& sheet,
-                  double most_range_m, const SensorStamp& of) {
-  constexpr std::uint32_t float32 = 8;
-  const auto beams = static_cast<std::size_t>(image.beams);
-  const auto bins = static_cast<std::size_t>(image.bins);
-  expects(image.intensity.size() == beams * bins, "a ping has a number for each beam and bin");
-  marine_acoustic_msgs::msg::ProjectedSonarImage message;
-  message.header(header_message(of.stamp, of.frame_id));
-  message.ping_info().frequency(static_cast<float>(sheet.frequency_hz));
-  message.ping_info().tx_beamwidths().assign(beams, static_cast<float>(sheet.upright_rad));
-  message.ping_info().rx_beamwidths().assign(beams, static_cast<float>(sheet.beam_rad));
-  for (int beam = 0; beam < image.beams; ++beam) {
-    const double bearing_rad = twin::beam_bearing_rad(sheet.across_rad, sheet.beams, beam);
-    message.beam_directions().push_back(xyz_message<geometry_msgs::msg::Vector3>(
-        {0, std::sin(bearing_rad), std::cos(bearing_rad)}));
-  }
-  std::vector<float> by_range;
-  by_range.reserve(image.intensity.size());
-  for (std::size_t bin = 0; bin < bins; ++bin) {
-    message.ranges().push_back(static_cast<float>((static_cast<double>(bin) + 0.5) * most_range_m /
-                                                  static_cast<double>(bins)));
-    for (std::size_t beam = 0; beam < beams; ++beam)
-      by_range.push_back(image.intensity[beam * bins + bin]);
-  }
-  message.image().dtype(float32);
-  message.image().beam_count(static_cast<std::uint32_t>(beams));
-  message.image().data(bytes_of(by_range));
-  return encoded(message);
+  return encoded(cloud_message({"x", "y", "z", "intensity"},
+                               static_cast<std::size_t>(scan.channels), numbers, of));
 }
 
 }  // namespace slackwater::dds

@@ -6,13 +6,14 @@
 #include "api/door/dds/message/bytes.h"
 #include "twin/inspection/instrument/look.h"
 #include "twin/render/frame/truth_frame.h"
-#include "twin/render/ranging/imaging_sonar.h"
+#include "twin/render/light/infrared_frame.h"
 #include "twin/render/ranging/lidar.h"
 
 namespace slackwater::dds {
 
-// What cameras, lidars and sonars see, as messages. Their frame is that of the sensor,
-// NAME/SENSOR, whose axes are those that ROS's users expect of its kind:
+// What cameras and lidars see, as messages; what sonars hear is beside it (sonar_messages.h). Their
+// frame is that of the sensor, NAME/SENSOR, whose axes are those that ROS's users expect of its
+// kind. Forward is the sensor's axis, whichever way that looks on the vehicle:
 //
 // | of      | x         | y         | z       | by                             |
 // |---------|-----------|-----------|---------|--------------------------------|
@@ -38,25 +39,24 @@ struct SensorStamp {
 ///
 ///   K = (f_u, 0, c_u - 1/2; 0, f_v, c_v - 1/2; 0, 0, 1),  R = I,  P = (K | 0)
 ///
-/// @param matrix  row by row, as `Pinhole::matrix`
+/// Of the right one of a pair P(0, 3) = -f_u baseline; its frame is that of the left one.
+///
+/// @param matrix      row by row, as `Pinhole::matrix`
+/// @param baseline_m  how far to the right of the frame's camera it stands
 [[nodiscard]] Bytes camera_info(int wide, int high, const std::array<double, 9>& matrix,
-                                const SensorStamp& of);
+                                const SensorStamp& of, double baseline_m = 0);
 
 /// sensor_msgs/msg/Image, 32FC1: metres along the camera's axis, as REP-118 has it; not a number
 /// where nothing is within reach.
 [[nodiscard]] Bytes depth_image(const twin::TruthFrame& truth, const SensorStamp& of);
+
+/// sensor_msgs/msg/Image, 32FC1: kelvins as told, of a black body that radiates so.
+[[nodiscard]] Bytes heat_image(const twin::InfraredFrame& heat, const SensorStamp& of);
 
 /// sensor_msgs/msg/PointCloud2 of x, y, z in metres and intensity, single precision: a row for each
 /// channel from the lowest, a column for each bearing. As measured, with noise; what did not come
 /// back is not a number.
 [[nodiscard]] Bytes point_cloud(const twin::LidarScan& scan, const twin::LidarSheet& sheet,
                                 const SensorStamp& of);
-
-/// marine_acoustic_msgs/msg/ProjectedSonarImage: a row for each bin from the nearest, a column for
-/// each beam from port. 32-bit intensities, of a source of 1 at 1 m; the speed of sound is not
-/// needed for ranges in metres, and is told as unknown (0).
-/// @param most_range_m  end of the last bin
-[[nodiscard]] Bytes sonar_image(const twin::SonarImage& image, const twin::ImagingSonarSheet& sheet,
-                                double most_range_m, const SensorStamp& of);
 
 }  // namespace slackwater::dds

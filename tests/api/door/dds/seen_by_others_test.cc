@@ -70,10 +70,14 @@ TEST_P(SeenByOthers, PicturesDepthsCloudsAndPings) {
   Heard<marine_acoustic_msgs::msg::ProjectedSonarImage,
         marine_acoustic_msgs::msg::ProjectedSonarImagePubSubType>
       pings(other, "/rov/imaging_sonar/sonar");
+  Heard<marine_acoustic_msgs::msg::SonarRanges, marine_acoustic_msgs::msg::SonarRangesPubSubType>
+      fans(other, "/rov/multibeam/ranges");
+  Heard<Range, RangePubSubType> sounders(other, "/rov/echo_sounder/range");
   std::vector<std::string> arguments{
-      "live",  folder / "run.yaml",  "--dds-domain", std::to_string(domain.number()),
-      "--see", "rov/rov_camera@1",   "--see",        "uav/uav_lidar@1",
-      "--see", "rov/imaging_sonar@1"};
+      "live",  folder / "run.yaml",   "--dds-domain", std::to_string(domain.number()),
+      "--see", "rov/rov_camera@1",    "--see",        "uav/uav_lidar@1",
+      "--see", "rov/imaging_sonar@1", "--see",        "rov/multibeam@1",
+      "--see", "rov/echo_sounder@1"};
   if (GetParam()) arguments.insert(arguments.end(), {"--loopback", "--udp-only"});
   StartedProgram run(start_program(arguments, without_leaks(), folder / "out", folder / "err"));
   const auto image = images.wait(2);
@@ -81,12 +85,16 @@ TEST_P(SeenByOthers, PicturesDepthsCloudsAndPings) {
   const auto depth = depths.wait(2);
   const auto cloud = clouds.wait(2);
   const auto ping = pings.wait(2);
+  const auto fan = fans.wait(1);
+  const auto sounder = sounders.wait(1);
   EXPECT_EQ(run.end(SIGINT), 0);
   ASSERT_GE(image.size(), 2U);
   ASSERT_GE(info.size(), 1U);
   ASSERT_GE(depth.size(), 2U);
   ASSERT_GE(cloud.size(), 2U);
   ASSERT_GE(ping.size(), 2U);
+  ASSERT_GE(fan.size(), 1U);
+  ASSERT_GE(sounder.size(), 1U);
 
   EXPECT_EQ(image[0].header().frame_id(), "rov/rov_camera");
   EXPECT_EQ(image[0].format(), "jpeg");
@@ -122,6 +130,12 @@ TEST_P(SeenByOthers, PicturesDepthsCloudsAndPings) {
   EXPECT_EQ(ping[0].beam_directions().size(), 512U);
   EXPECT_EQ(ping[0].ranges().size(), 512U);
   EXPECT_EQ(ping[0].image().data().size(), 512U * 512 * 4);
+  // A level bed 22 m below the vehicle, straight down: the middle of the fan.
+  ASSERT_EQ(fan[0].ranges().size(), 512U);
+  EXPECT_EQ(fan[0].flags()[256].flag(), 0);
+  EXPECT_NEAR(fan[0].ranges()[256] * fan[0].beam_unit_vec()[256].z(), 22, 1);
+  EXPECT_NEAR(sounder[0].range(), 22, 1.5);
+  EXPECT_EQ(sounder[0].max_range(), 100);
   // Another moment, a second on.
   EXPECT_GE(image[1].header().stamp().sec(), image[0].header().stamp().sec() + 1);
 }

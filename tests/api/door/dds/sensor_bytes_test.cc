@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "api/door/dds/message/sensor_messages.h"
+#include "api/door/dds/message/sonar_messages.h"
 #include "fields/base/random.h"
 #include "tests/api/door/dds/cdr_by_hand.h"
 
@@ -145,6 +146,161 @@ TEST(BytesOfSensors, PingIsRowsOfRangeFromPortToStarboard) {
   EXPECT_EQ(read.count(), 3U);
   EXPECT_EQ(read.count(), 24U);
   for (const float number : {1.F, 3.F, 5.F, 2.F, 4.F, 6.F}) EXPECT_EQ(read.real32(), number);
+  read.expect_end();
+}
+
+/// The right one of a pair, 12 cm from the left one: P(0, 3) = -f baseline.
+TEST(BytesOfSensors, RightCameraOfAPairSaysItsBaseline) {
+  HandReader read(camera_info(640, 360, {500, 0, 320, 0, 500, 180, 0, 0, 1}, of, 0.12));
+  read.expect_header(of.stamp, "rov/rov_camera");
+  (void)read.count();
+  (void)read.count();
+  (void)read.string();
+  (void)read.reals(read.count());
+  (void)read.reals(18);
+  EXPECT_EQ(read.reals(12),
+            (std::vector<double>{500, 0, 319.5, -60, 0, 500, 179.5, 0, 0, 0, 1, 0}));
+}
+
+TEST(BytesOfSensors, HeatIsRowsOfKelvins) {
+  twin::InfraredFrame heat;
+  heat.wide = 3;
+  heat.high = 1;
+  heat.apparent_k = {280.5F, 281, 230};
+  HandReader read(heat_image(heat, of));
+  read.expect_header(of.stamp, "rov/rov_camera");
+  EXPECT_EQ(read.count(), 1U);
+  EXPECT_EQ(read.count(), 3U);
+  EXPECT_EQ(read.string(), "32FC1");
+  EXPECT_EQ(read.octet(), 0);
+  EXPECT_EQ(read.count(), 12U);
+  EXPECT_EQ(read.count(), 12U);
+  for (const float kelvins : heat.apparent_k) EXPECT_EQ(read.real32(), kelvins);
+  read.expect_end();
+}
+
+/// 30 degrees below the plane of forward and starboard, to port and then to starboard: x is up.
+TEST(BytesOfSensors, SideScanIsTwoColumnsFromPort) {
+  twin::SideScanSheet sheet;
+  sheet.depression_rad = std::acos(-1.0) / 6;
+  sheet.beam_rad = 0.25;
+  sheet.upright_rad = 0.5;
+  twin::SideScanPing ping;
+  ping.bins = 3;
+  ping.bin_m = 2;
+  ping.intensity = {1, 2, 3, 4, 5, 6};  // port from near to far, then starboard
+  HandReader read(side_scan_image(ping, sheet, of));
+  read.expect_header(of.stamp, "rov/rov_camera");
+  EXPECT_EQ(read.real32(), 0) << "frequency: unknown";
+  EXPECT_EQ(read.real32(), 0) << "speed of sound: unknown";
+  for (const float width : {0.25F, 0.5F}) {  // along the track, across
+    ASSERT_EQ(read.count(), 2U);
+    for (int side = 0; side < 2; ++side) EXPECT_EQ(read.real32(), width);
+  }
+  ASSERT_EQ(read.count(), 2U);
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_NEAR(read.real(), -0.5, 1e-15);
+    EXPECT_NEAR(read.real(), side * std::sqrt(0.75), 1e-15);
+    EXPECT_EQ(read.real(), 0);
+  }
+  ASSERT_EQ(read.count(), 3U);
+  for (const float middle : {1.F, 3.F, 5.F}) EXPECT_EQ(read.real32(), middle);
+  EXPECT_EQ(read.octet(), 0);
+  EXPECT_EQ(read.count(), 8U);  // DTYPE_FLOAT32
+  EXPECT_EQ(read.count(), 2U);
+  EXPECT_EQ(read.count(), 24U);
+  for (const float number : {1.F, 4.F, 2.F, 5.F, 3.F, 6.F}) EXPECT_EQ(read.real32(), number);
+  read.expect_end();
+}
+
+TEST(BytesOfSensors, RangesOfAFanWithTheBeamThatHeardNothing) {
+  twin::MultibeamSheet sheet;
+  sheet.beam_across_rad = 0.25;
+  sheet.beam_along_rad = 0.5;
+  std::vector<twin::Sounding> soundings(2);
+  soundings[0].bearing_rad = -std::acos(-1.0) / 6;
+  soundings[0].range_m = 12.5F;
+  soundings[0].level = 2;
+  soundings[1].bearing_rad = std::acos(-1.0) / 6;
+  soundings[1].range_m = NAN;
+  HandReader read(sonar_ranges(soundings, sheet, of));
+  read.expect_header(of.stamp, "rov/rov_camera");
+  EXPECT_EQ(read.real32(), 0);
+  EXPECT_EQ(read.real32(), 0);
+  for (const float width : {0.5F, 0.25F}) {
+    ASSERT_EQ(read.count(), 2U);
+    for (int beam = 0; beam < 2; ++beam) EXPECT_EQ(read.real32(), width);
+  }
+  ASSERT_EQ(read.count(), 2U);
+  EXPECT_EQ(read.octet(), 0) << "DETECT_OK";
+  EXPECT_EQ(read.octet(), 1) << "DETECT_BAD_SONAR";
+  EXPECT_EQ(read.count(), 0U) << "no delays";
+  ASSERT_EQ(read.count(), 2U);
+  EXPECT_EQ(read.real32(), 2);
+  EXPECT_EQ(read.real32(), 0);
+  ASSERT_EQ(read.count(), 2U);
+  for (const double side : {-0.5, 0.5}) {
+    EXPECT_EQ(read.real(), 0);
+    EXPECT_NEAR(read.real(), side, 1e-15);
+    EXPECT_NEAR(read.real(), std::sqrt(0.75), 1e-15);
+  }
+  ASSERT_EQ(read.count(), 2U);
+  EXPECT_EQ(read.real32(), 12.5F);
+  EXPECT_TRUE(std::isnan(read.real32()));
+  read.expect_end();
+}
+
+/// 10 m with a noise of 0.01 m and half a percent: 0.06 m, a variance of 0.0036 m2.
+TEST(BytesOfSensors, RangeSaysItsVarianceAndInfinityWithoutABottom) {
+  twin::EchoSounderSheet sheet;
+  sheet.beam_rad = 0.5;
+  sheet.noise_sd_m = 0.01;
+  sheet.noise_per_range = 0.005;
+  twin::EchoSounding sounding;
+  for (const float range_m : {10.F, NAN}) {
+    sounding.range_m = range_m;
+    HandReader read(range_message(sounding, sheet, {0.25, 64}, of));
+    read.expect_header(of.stamp, "rov/rov_camera");
+    EXPECT_EQ(read.octet(), 0) << "ULTRASOUND";
+    EXPECT_EQ(read.real32(), 0.5F);
+    EXPECT_EQ(read.real32(), 0.25F);
+    EXPECT_EQ(read.real32(), 64);
+    const bool is_told = range_m == 10;
+    EXPECT_EQ(read.real32(), is_told ? 10 : INFINITY);
+    EXPECT_NEAR(read.real32(), is_told ? 0.0036 : 0, 1e-9);
+    read.expect_end();
+  }
+}
+
+/// North 0.5, east 0.25, 0.125 down: up is -0.125.
+TEST(BytesOfSensors, CurrentsAreBinsAlongTheAxis) {
+  twin::CurrentProfile profile;
+  profile.bins.resize(2);
+  profile.bins[0].distance_m = 2;
+  profile.bins[0].velocity_m_s = {0.5, 0.25, 0.125};
+  profile.bins[1].distance_m = 3;
+  profile.bins[1].velocity_m_s = {NAN, NAN, NAN};
+  HandReader read(current_cloud(profile, of));
+  read.expect_header(of.stamp, "rov/rov_camera");
+  EXPECT_EQ(read.count(), 1U);
+  EXPECT_EQ(read.count(), 2U);
+  ASSERT_EQ(read.count(), 6U);
+  std::uint32_t offset = 0;
+  for (const char* name : {"x", "y", "z", "east", "north", "up"}) {
+    EXPECT_EQ(read.string(), name);
+    EXPECT_EQ(read.count(), offset);
+    EXPECT_EQ(read.octet(), 7) << "FLOAT32";
+    EXPECT_EQ(read.count(), 1U);
+    offset += 4;
+  }
+  EXPECT_EQ(read.octet(), 0);
+  EXPECT_EQ(read.count(), 24U);
+  EXPECT_EQ(read.count(), 48U);
+  ASSERT_EQ(read.count(), 48U);
+  for (const float number : {2.F, 0.F, 0.F, 0.25F, 0.5F, -0.125F, 3.F, 0.F, 0.F})
+    EXPECT_EQ(read.real32(), number);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isnan(read.real32()));
+  EXPECT_EQ(read.octet(), 0) << "not dense";
   read.expect_end();
 }
 

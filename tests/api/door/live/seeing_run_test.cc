@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "api/ask/render/rendered_run.h"
+#include "api/door/dds/message/sonar_messages.h"
 #include "api/door/live/live_run.h"
 #include "api/perception/jpeg.h"
 #include "fields/base/error.h"
@@ -89,12 +90,15 @@ class SeeingRun : public LoggedRuns {
     settings.real_time_factor = factor;
     settings.on_picture = on_picture;
     settings.on_trouble = [this](const std::string& text) { trouble_ += text + "\n"; };
-    for (const std::string& text : sensors) settings.sensors.push_back(live::sensor_asked(text));
+    settings.see.sight = sight_;
+    for (const std::string& text : sensors)
+      settings.see.sensors.push_back(live::sensor_asked(text));
     Lived lived;
     lived.hearer = std::make_shared<Hearer>(
-        settings.sensors.empty() ? "/none"
-                                 : (settings.sensors[0].vehicle == "uav" ? "/uav/" : "/rov_1/") +
-                                       settings.sensors[0].sensor + "/");
+        settings.see.sensors.empty()
+            ? "/none"
+            : (settings.see.sensors[0].vehicle == "uav" ? "/uav/" : "/rov_1/") +
+                  settings.see.sensors[0].sensor + "/");
     settings.outlets.push_back(lived.hearer);
     api::RunChoice choice;
     choice.real_time_factor = factor;
@@ -112,13 +116,17 @@ class SeeingRun : public LoggedRuns {
     lived.log = make("run.nc", choice).log;
     return lived;
   }
-  [[nodiscard]] api::RenderedRun afterwards(const Lived& lived, const std::string& sensor,
-                                            const std::string& vehicle) const {
+  [[nodiscard]] static api::RenderChoice choice_of(const Lived& lived, const std::string& sensor,
+                                                   const std::string& vehicle) {
     api::RenderChoice choice;
     choice.log = lived.log;
     choice.sensor = sensor;
     choice.vehicle = vehicle;
-    return {choice, folder_.path() / "store"};
+    return choice;
+  }
+  [[nodiscard]] api::RenderedRun afterwards(const Lived& lived, const std::string& sensor,
+                                            const std::string& vehicle) const {
+    return {choice_of(lived, sensor, vehicle), folder_.path() / "store"};
   }
   std::string refusal(const std::vector<std::string>& sensors) {
     try {
@@ -129,6 +137,7 @@ class SeeingRun : public LoggedRuns {
     return {};
   }
   std::string trouble_;
+  api::SightChoice sight_;
 };
 
 void expect_all_accounted_for(const live::SensorTold& told, std::size_t heard) {
@@ -265,6 +274,77 @@ TEST_F(SeeingRun, APingIsToTheBitWhatTheLogShowsAfterwards) {
       other += read.real32() == image.intensity[beam * 512 + bin] ? 0 : 1;
   EXPECT_EQ(other, 0U);
   read.expect_end();
+}
+
+/// A sonar that tells a line, a fan or one range, an ADCP, the right one of a pair: each by the
+/// message that its view makes (tests/api/door/dds/sensor_bytes_test.cc has the bytes).
+TEST_F(SeeingRun, EachSensorTellsWhatTheLogShowsAfterwards) {
+  using namespace dds;
+  using View = api::RenderView;
+  using Message = std::function<Bytes(const View&, const twin::RenderSensor&, const SensorStamp&)>;
+  struct Told {
+    std::string vehicle, sensor, topic;
+    Message message;
+  };
+  const Told all[] = {
+      {"rov 1", "side_scan", "sonar",
+       [](const View& view, const twin::RenderSensor& sensor, const SensorStamp& of) {
+         return side_scan_image(std::get<twin::SideScanPing>(view.seen),
+                                std::get<twin::SideScanSheet>(sensor.device), of);
+       }},
+      {"rov 1", "multibeam", "ranges",
+       [](const View& view, const twin::RenderSensor& sensor, const SensorStamp& of) {
+         return sonar_ranges(std::get<api::MultibeamView>(view.seen).soundings,
+                             std::get<twin::MultibeamSheet>(sensor.device), of);
+       }},
+      {"rov 1", "echo_sounder", "range",
+       [](const View& view, const twin::RenderSensor& sensor, const SensorStamp& of) {
+         const auto& sounding = std::get<twin::EchoSounding>(view.seen);
+         EXPECT_NEAR(sounding.range_m, 22, 1.5) << "30 m of water, 8 m down";
+         return range_message(sounding, std::get<twin::EchoSounderSheet>(sensor.device), {0.3, 100},
+                              of);
+       }},
+      {"rov 1", "adcp", "currents",
+       [](const View& view, const twin::RenderSensor&, const SensorStamp& of) {
+         return current_cloud(std::get<twin::CurrentProfile>(view.seen), of);
+       }},
+      {"rov 1", "rov_stereo", "right/image/compressed",
+       [](const View& view, const twin::RenderSensor&, const SensorStamp& of) {
+         return compressed_image(api::jpeg_of(std::get<api::CameraView>(view.seen).right->picture),
+                                 of);
+       }},
+      {"uav", "uav_infrared", "temperature",
+       [](const View& view, const twin::RenderSensor&, const SensorStamp& of) {
+         return heat_image(std::get<api::InfraredView>(view.seen).heat, of);
+       }}};
+  for (const Told& told : all) {
+    SCOPED_TRACE(told.sensor);
+    const Lived lived = run_live({told.vehicle + "/" + told.sensor + "@1"});
+    const auto& heard = lived.hearer->heard(told.topic);
+    expect_all_accounted_for(lived.told.at(0), heard.size());
+    const api::RenderedRun looking = afterwards(lived, told.sensor, told.vehicle);
+    const Stamp at = stamp_of(parse_utc("2025-06-10T11:00:00Z"), 4);
+    const std::string frame_id = (told.vehicle == "uav" ? "uav/" : "rov_1/") + told.sensor;
+    EXPECT_EQ(heard.back(), told.message(looking.view_at(4), looking.sensor(), {at, frame_id}));
+    EXPECT_EQ(lived.hearer->heard("pose").size(), heard.size());
+  }
+}
+
+/// By night no sun: what is asked of light and heat is what is seen.
+TEST_F(SeeingRun, LightAndHeatAreThoseThatAreAskedFor) {
+  sight_ = {"oceanic_i", "winter_night", true};
+  const Lived lived = run_live({"uav/uav_infrared@1"});
+  api::RenderChoice choice = choice_of(lived, "uav_infrared", "uav");
+  const auto heat_of = [&](const api::RenderChoice& chosen) {
+    return dds::heat_image(
+        std::get<api::InfraredView>(
+            api::RenderedRun(chosen, folder_.path() / "store").view_at(4).seen)
+            .heat,
+        {dds::stamp_of(parse_utc("2025-06-10T11:00:00Z"), 4), "uav/uav_infrared"});
+  };
+  EXPECT_NE(lived.hearer->heard("temperature").back(), heat_of(choice));
+  choice.sight = sight_;
+  EXPECT_EQ(lived.hearer->heard("temperature").back(), heat_of(choice));
 }
 
 /// Whoever takes a picture away takes two seconds for it: longer than half of the run.

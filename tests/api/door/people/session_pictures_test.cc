@@ -40,7 +40,7 @@ struct SeenSession : testing::Test {
     choice.also = [this](const api::RunInHand& hand) {
       live::LiveSettings settings;
       settings.real_time_factor = 1;
-      settings.sensors = {live::sensor_asked("rov/rov_camera@1")};
+      settings.see.sensors = {live::sensor_asked("rov/rov_camera@1")};
       settings.on_picture = [this](const live::SensorPicture& picture) {
         const std::lock_guard lock(mutex);
         if (door != nullptr)

@@ -132,6 +132,13 @@ TEST(DefinitionOf, EachTypeOfTheTable) {
        "std_msgs/Header header\nmarine_acoustic_msgs/PingInfo ping_info\n"
        "geometry_msgs/Vector3[] beam_directions\nfloat32[] ranges\n"
        "marine_acoustic_msgs/SonarImageData image\n"},
+      {"marine_acoustic_msgs/msg/SonarRanges",
+       "std_msgs/Header header\nmarine_acoustic_msgs/PingInfo ping_info\n"
+       "marine_acoustic_msgs/DetectionFlag[] flags\nfloat32[] transmit_delays\n"
+       "float32[] intensities\ngeometry_msgs/Vector3[] beam_unit_vec\nfloat32[] ranges\n"},
+      {"sensor_msgs/msg/Range",
+       "std_msgs/Header header\nuint8 radiation_type\nfloat32 field_of_view\n"
+       "float32 min_range\nfloat32 max_range\nfloat32 range\nfloat32 variance\n"},
       {"std_msgs/msg/String", "string data\n"},
       {"std_msgs/msg/Float64", "float64 data\n"},
       {"std_srvs/srv/SetBool_Request", "bool data\n"},
@@ -214,7 +221,11 @@ TEST(TypeHashOf, WhatSensorsTellIsThatOfRosbags) {
             "RIHS01_b3dfd68ff46c9d56c80fd3bd4ed22c7a4ddce8c8348f2f59c299e73118e7e275");
   EXPECT_EQ(type_hash_of("sensor_msgs/msg/PointCloud2"),
             "RIHS01_9198cabf7da3796ae6fe19c4cb3bdd3525492988c70522628af5daa124bae2b5");
-  // From its .msg files, for rosbags knows no marine_acoustic_msgs.
+  EXPECT_EQ(type_hash_of("sensor_msgs/msg/Range"),
+            "RIHS01_b42b62562e93cbfe9d42b82fe5994dfa3d63d7d5c90a317981703f7388adff3a");
+  // From their .msg files, for rosbags knows no marine_acoustic_msgs.
+  EXPECT_EQ(type_hash_of("marine_acoustic_msgs/msg/SonarRanges"),
+            "RIHS01_f440f02f1adc9535848643a389997562f2672f1a74214c17970e1cf2a832343c");
   EXPECT_EQ(type_hash_of("marine_acoustic_msgs/msg/ProjectedSonarImage"),
             "RIHS01_e9d0b934ee8332c9f79e04c361de0793c165b2dee14f2c0d25c3227cd50d46f1");
 }
