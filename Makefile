@@ -61,6 +61,8 @@ soak: test-packages venv
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
 	tests/soak/morning build/release/api/slackwater build/soak-demo/store
 	tests/soak/desk build/release/api/slackwater build/soak-demo/store build/node
+	tests/soak/lit_scenes build/release/tests/slackwater_made_up_lit_scenes build/venv-mitsuba \
+	  || [ $$? -eq 77 ]
 	tests/soak/learn build/release/api/slackwater || [ $$? -eq 77 ]
 	tests/soak/learn_looks build/release/api/slackwater || [ $$? -eq 77 ]
 	tests/soak/five-products build/release/api/slackwater build/soak-demo/store \
