@@ -1,6 +1,9 @@
 # Read by ctest: one test for each suite of a test program, of the suite's name. A suite is one
 # process, since most tests take less time than a program under the sanitizers takes to start.
 #
+# Those of `soak_suites` take a minute or more and prove what seldom changes: `make soak` runs them,
+# `make test` does not.
+set(soak_suites AdcpNorthSea FusionTwin JumpingClock PublishedProfiles)
 # slackwater_suites(<program> <label>)
 function(slackwater_suites program label)
   if(NOT EXISTS ${program})
@@ -22,8 +25,12 @@ function(slackwater_suites program label)
   cmake_path(GET program PARENT_PATH folder)
   foreach(suite ${suites})
     add_test(${suite} ${program} --gtest_filter=${suite}.* --gtest_color=no)
+    set(labels ${label})
+    if(suite IN_LIST soak_suites)
+      list(APPEND labels soak)
+    endif()
     # Skipped is a suite whose every test was. Half an hour: long runs have many days in one suite.
-    set_tests_properties(${suite} PROPERTIES LABELS ${label} TIMEOUT 1800
+    set_tests_properties(${suite} PROPERTIES LABELS "${labels}" TIMEOUT 1800
       WORKING_DIRECTORY ${folder}
       SKIP_REGULAR_EXPRESSION "  PASSED  . 0 tests.\n(.  SKIPPED . [^\n]*\n)+$")
   endforeach()
