@@ -72,7 +72,7 @@ TEST_P(SeenByOthers, PicturesDepthsCloudsAndPings) {
       pings(other, "/rov/imaging_sonar/sonar");
   Heard<marine_acoustic_msgs::msg::SonarRanges, marine_acoustic_msgs::msg::SonarRangesPubSubType>
       fans(other, "/rov/multibeam/ranges");
-  Heard<Range, RangePubSubType> sounders(other, "/rov/echo_sounder/range");
+  Heard<sensor_msgs::msg::Range, RangePubSubType> sounders(other, "/rov/echo_sounder/range");
   std::vector<std::string> arguments{
       "live",  folder / "run.yaml",   "--dds-domain", std::to_string(domain.number()),
       "--see", "rov/rov_camera@1",    "--see",        "uav/uav_lidar@1",
