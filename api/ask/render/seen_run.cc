@@ -59,7 +59,7 @@ MountedSensor mounted_sensor(const std::string& sensor, std::size_t vehicle,
           1};
 }
 
-SeenRun::SeenRun(twin::Scenario scenario, twin::Surround surround,
+SeenRun::SeenRun(twin::Scenario scenario, const twin::Surround& surround,
                  std::vector<std::string> vehicles)
     : scenario_(without_traffic(std::move(scenario))),
       names_(std::move(vehicles)),

@@ -52,7 +52,8 @@ class SeenRun {
   /// @param vehicles  names of all, in the order of the run; those that joined it later are not
   ///                  drawn
   /// @throws as `twin::set_up`
-  SeenRun(twin::Scenario scenario, twin::Surround surround, std::vector<std::string> vehicles);
+  SeenRun(twin::Scenario scenario, const twin::Surround& surround,
+          std::vector<std::string> vehicles);
 
   [[nodiscard]] GeoPoint origin() const noexcept { return ready_.origin; }
   [[nodiscard]] UtcTime start() const noexcept { return ready_.start; }
