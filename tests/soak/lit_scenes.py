@@ -14,7 +14,7 @@ mi.set_variant("scalar_rgb")
 LAMP_RADIUS_M = 0.004
 BLOCK = 4  # pixels, averaged: noise is not what is asked of
 SAMPLES = 4096
-WITHIN = 0.02  # of the light of 4 blocks in 5: others lie at the edge of a shadow
+WITHIN = 0.04  # of the light of a block that no edge runs through; noise is 0.5 % of the darkest
 MOST_MEAN = 0.003  # of the whole picture
 
 
@@ -115,6 +115,13 @@ def blocks(picture):
     return picture.reshape(high // BLOCK, BLOCK, wide // BLOCK, BLOCK)
 
 
+def evenly_lit(picture):
+    """Blocks without the edge of a shadow or a thing."""
+    parts = blocks(picture)
+    mean = parts.mean(axis=(1, 3))
+    return (mean > 1e-3 * picture.max()) & (parts.max(axis=(1, 3)) - parts.min(axis=(1, 3)) < 0.4 * mean)
+
+
 def main(path):
     with open(path, encoding="utf-8") as file:
         asked = json.load(file)
@@ -124,15 +131,14 @@ def main(path):
     for scene in asked["scenes"]:
         ours = np.array(scene["light"]).reshape(high, wide)
         theirs = light_of(scene, wide, high, asked["horizontal_deg"], asked["albedo"])
-        mean = blocks(ours).mean(axis=(1, 3))
-        is_lit = mean > 1e-3 * ours.max()
-        ratio = mean[is_lit] / blocks(theirs).mean(axis=(1, 3))[is_lit]
-        off, total = np.quantile(np.abs(ratio - 1), 0.8), ours.sum() / theirs.sum() - 1
+        is_even = evenly_lit(ours) & evenly_lit(theirs)
+        ratio = blocks(ours).mean(axis=(1, 3))[is_even] / blocks(theirs).mean(axis=(1, 3))[is_even]
+        off, total = np.abs(ratio - 1).max(), ours.sum() / theirs.sum() - 1
         print(
-            f"{scene['name']:<38} {is_lit.sum():4d} blocks  median {np.median(ratio):.4f}  4 in 5 within {100 * off:.2f} %  "
+            f"{scene['name']:<38} {is_even.sum():4d} blocks  median {np.median(ratio):.4f}  worst {100 * off:.2f} %  "
             f"all {100 * total:+.2f} %"
         )
-        if is_lit.sum() < 100 or off > WITHIN or abs(total) > MOST_MEAN:
+        if is_even.sum() < 80 or off > WITHIN or abs(total) > MOST_MEAN:
             failed.append(scene["name"])
     assert not failed, f"lit otherwise: {', '.join(failed)}"
 
