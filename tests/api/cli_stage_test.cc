@@ -2,10 +2,13 @@
 // goes by.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "fields/base/config.h"
+#include "ingest/netcdf/file.h"
 #include "tests/support/contains.h"
 #include "tests/support/store_for_tests.h"
 #include "twin/inspection/defect/detection_method.h"
@@ -56,6 +59,35 @@ TEST_F(StageCommand, TheSameSeedIsTheSameBytes) {
             0);
   EXPECT_EQ(read_bytes(made_->file("again/look_000002.png")),
             read_bytes(made_->file("looks/look_000002.png")));
+}
+
+/// The mask of a defect in the netCDF has as many pixels as the picture's labels say, and its
+/// distance is that of the look.
+TEST_F(StageCommand, TheTruthBesideAPictureIsThatOfItsLabels) {
+  ASSERT_EQ(made_
+                ->run({"stage", "pile_by_rov", "--looks", "3", "--seed", "5", "--truth", "--out",
+                       made_->path("true")})
+                .exit_code,
+            0);
+  EXPECT_EQ(read_bytes(made_->file("true/look_000002.png")),
+            read_bytes(made_->file("looks/look_000002.png")));
+  const json set = json::parse(read_bytes(made_->file("true/labels.json")));
+  std::map<int, double> area;  // of all labels of an image
+  for (const json& one : set.at("annotations"))
+    area[one.at("image_id").get<int>()] += one.at("area").get<double>();
+  for (const json& image : set.at("images")) {
+    const std::string name = image.at("file_name").get<std::string>();
+    const auto file =
+        ingest::netcdf::File::open(made_->path("true/" + name.substr(0, name.size() - 3) + "nc"));
+    const std::vector<double> defect = file.read_all(*file.find("defect")),
+                              depth = file.read_all(*file.find("depth"));
+    ASSERT_EQ(defect.size(), 640U * 360);
+    EXPECT_EQ(std::count_if(defect.begin(), defect.end(), [](double of) { return of > 0; }),
+              area[image.at("id").get<int>()])
+        << name;
+    const double range_m = image.at("look").at("range_m");
+    EXPECT_NEAR(depth[180 * 640 + 320], range_m, 0.01 * range_m) << name;
+  }
 }
 
 TEST_F(StageCommand, ADetectorsCurveIsOneThatAnInspectionReads) {

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "api/door/cli/command.h"
@@ -7,6 +8,7 @@
 #include "api/program/named_sheet.h"
 #include "api/program/paths.h"
 #include "api/show/render/data_card.h"
+#include "api/show/render/look_file.h"
 #include "api/show/render/picture_labels.h"
 #include "api/show/render/png_file.h"
 #include "fields/base/parallel.h"
@@ -22,10 +24,13 @@ struct StageArguments {
   std::size_t looks = 0;
   std::uint64_t seed = 1;
   std::filesystem::path out;
+  bool truth = false;
   int threads = 1;
 };
 
-std::string look_name(std::size_t number) { return formatted("look_{:06}.png", number); }
+std::string look_name(std::size_t number, const char* ending = ".png") {
+  return formatted("look_{:06}{}", number, ending);
+}
 
 void run_stage(const StageArguments& arguments, const Context& context) {
   const twin::Stage stage(
@@ -38,6 +43,7 @@ void run_stage(const StageArguments& arguments, const Context& context) {
   ProgressBar progress("looks", context.json);
   PictureLabels labels;
   std::size_t planted = 0, shown = 0;
+  std::mutex one_file;
   constexpr std::size_t at_once = 32;
   for (std::size_t from = 0; from < arguments.looks; from += at_once) {
     std::vector<twin::StagedLook> looks(std::min(at_once, arguments.looks - from));
@@ -45,6 +51,9 @@ void run_stage(const StageArguments& arguments, const Context& context) {
       looks[i] = stage.look(arguments.seed, from + i, 1);
       const twin::Picture& seen = looks[i].picture;
       write_png(arguments.out / look_name(from + i), seen.wide, seen.high, 3, seen.rgb);
+      if (!arguments.truth) return;
+      const std::lock_guard lock(one_file);  // the netCDF library is for one thread at a time
+      write_look_netcdf(looks[i], stage, arguments.out / look_name(from + i, ".nc"));
     });
     for (std::size_t i = 0; i < looks.size(); ++i) {
       labels.add(looks[i], look_name(from + i));
@@ -88,6 +97,8 @@ void add_stage(CLI::App& app, Context& context) {
       ->check(CLI::Range(1, 1000000));
   command->add_option("--seed", arguments->seed, "other looks (default 1)");
   command->add_option("--out", arguments->out, "folder of the pictures")->required();
+  command->add_flag("--truth", arguments->truth,
+                    "beside each picture its truth as netCDF: depth, defects and more by pixel");
   command->add_option("--threads", arguments->threads, "1 to 64 (default 1)")
       ->check(CLI::Range(1, 64));
   command->callback([arguments, &context] { run_stage(*arguments, context); });

@@ -44,7 +44,7 @@ void write_seen(const twin::SideScanPing& ping, const RenderView& view, Writer& 
               "of the echo, of a source of 1 at 1 m, with speckle and noise", ping.intensity);
   picture.add("mean_intensity", Type::float32, "1", "the same without speckle and noise",
               ping.mean);
-  say_names(writer, view,
+  say_names(writer, view.things,
             picture.add("instance", Type::uint16, "1",
                         "what throws back most of it, 0: nothing, open water or a shadow",
                         ping.instance));
@@ -83,7 +83,7 @@ void write_seen(const MultibeamView& swath, const RenderView& view, Writer& writ
   add("true_depth", "m", "of what is met there below mean sea level",
       [&](const twin::Sounding& s) { return so(s, s.true_place_m.z); });
   say_names(
-      writer, view,
+      writer, view.things,
       beams.add("instance", Type::uint16, "1", "what is met, 0: nothing",
                 each_of<std::int64_t>(all, [](const twin::Sounding& s) { return s.instance; })));
   writer.end_definitions();
@@ -106,7 +106,7 @@ void write_seen(const twin::EchoSounding& sounding, const RenderView& view, Writ
   add("footprint_range", "the same without noise", sounding.footprint_range_m);
   add("nearest_range", "of what is within the half-power beam", sounding.nearest_range_m);
   add("axis_range", "straight along the axis", sounding.axis_range_m);
-  say_names(writer, view,
+  say_names(writer, view.things,
             ping.add("instance", Type::uint16, "1", "what the axis meets, 0: nothing",
                      std::vector<std::int64_t>{sounding.instance}));
   writer.end_definitions();

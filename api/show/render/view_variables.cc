@@ -66,13 +66,22 @@ void ViewVariables::write() {
 
 std::vector<double> enu_of(const twin::Triple<double>& ned) { return {ned.y, ned.x, -ned.z}; }
 
-void say_names(Writer& writer, const RenderView& view, int instance) {
+void say_names(Writer& writer, std::span<const SeenName> things, int instance) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < view.things.size(); ++i) {
-    names.push_back(formatted("{} {} ({})", i + 1, view.things[i].name,
-                              twin::name_of(view.things[i].seen_class)));
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    names.push_back(
+        formatted("{} {} ({})", i + 1, things[i].name, twin::name_of(things[i].seen_class)));
   }
   writer.attribute(instance, "instances", joined(names, ", "));
+}
+
+void say_where(Writer& writer, const twin::Pose& pose) {
+  const int of = Writer::global;
+  writer.attribute(of, "frame", "x east, y north, z up of the origin at mean sea level, m");
+  writer.attribute(of, "sensor_position", enu_of(pose.position_m), Type::float64);
+  writer.attribute(of, "sensor_right", enu_of(pose.right), Type::float64);
+  writer.attribute(of, "sensor_down", enu_of(cross(pose.axis, pose.right)), Type::float64);
+  writer.attribute(of, "sensor_axis", enu_of(pose.axis), Type::float64);
 }
 
 }  // namespace slackwater::api

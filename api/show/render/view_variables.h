@@ -1,11 +1,12 @@
 #pragma once
 #include <cstdint>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "api/ask/render/rendered_run.h"
+#include "api/ask/render/render_view.h"
 #include "ingest/netcdf/file.h"
 
 namespace slackwater::api {
@@ -56,6 +57,8 @@ class ViewVariables {
 /// x east, y north, z up of NED.
 [[nodiscard]] std::vector<double> enu_of(const twin::Triple<double>& ned);
 /// What the numbers of `instance` stand for.
-void say_names(ingest::netcdf::Writer& writer, const RenderView& view, int instance);
+void say_names(ingest::netcdf::Writer& writer, std::span<const SeenName> things, int instance);
+/// Of a sensor: its place, and the axes of what it sees, in the file's frame.
+void say_where(ingest::netcdf::Writer& writer, const twin::Pose& pose);
 
 }  // namespace slackwater::api
