@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fields/base/spare_memory.h"
+
 namespace slackwater::api::desk {
 namespace {
 
@@ -113,6 +115,7 @@ http::Response KeptAnswers::answer(const std::string& question, const Make& make
     auto made = std::make_shared<const http::Response>(make());
     promise.set_value(made);
     weigh(question, number, made->body.size());
+    give_back_spare_memory();
     return *made;
   } catch (...) {
     promise.set_exception(std::current_exception());

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <fstream>
 #include <future>
+#include <mutex>
+#include <thread>
 
 #include "tests/support/temporary_folder.h"
 
@@ -67,6 +72,40 @@ TEST(KeptAnswersOfTheDesk, AreBoundedInBytesAndTheOldestGoFirst) {
   EXPECT_EQ(made, 6) << "it is answered, and not kept";
   kept.forget();
   EXPECT_EQ(kept.kept_bytes(), 0U);
+}
+
+/// Pages of this process that are in memory, as Linux counts them.
+double resident_mb() {
+  std::ifstream statm("/proc/self/statm");
+  double all = 0, resident = 0;
+  statm >> all >> resident;
+  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+/// Four at once, each of which takes 60 MB in small pieces to make a short answer.
+TEST(KeptAnswersOfTheDesk, DoNotKeepTheMemoryThatTheyWereMadeIn) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer's heap keeps what was freed, to tell who uses it";
+#endif
+  const TemporaryFolder folder;
+  KeptAnswers kept(folder / "store", folder / "data", [] { return UtcTime(); });
+  const double before_mb = resident_mb();
+  double most_mb = 0;
+  std::mutex measuring;
+  std::vector<std::thread> askers;
+  for (int asker = 0; asker < 4; ++asker)
+    askers.emplace_back([&, asker] {
+      (void)kept.answer("question " + std::to_string(asker), [&] {
+        std::vector<std::string> pieces;
+        for (int i = 0; i < 60000; ++i) pieces.emplace_back(1000, 'x');
+        const std::lock_guard lock(measuring);
+        most_mb = std::max(most_mb, resident_mb());
+        return said("short");
+      });
+    });
+  for (std::thread& asker : askers) asker.join();
+  EXPECT_GT(most_mb, before_mb + 50);
+  EXPECT_LT(resident_mb(), before_mb + 25);
 }
 
 }  // namespace
