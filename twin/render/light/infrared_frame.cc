@@ -26,8 +26,9 @@ struct SentHeat {
 
 class HeatPainter {
  public:
-  HeatPainter(const RenderScene& scene, const InfraredLight& light, const InfraredSensor& sensor)
-      : places_(scene),
+  HeatPainter(const RenderScene& scene, const Pinhole& camera, const InfraredLight& light,
+              const InfraredSensor& sensor)
+      : places_(scene, camera),
         light_(light),
         band_(sensor.from_m, sensor.to_m),
         of_air_(band_.of(light.warmth.air_k)),
@@ -52,10 +53,12 @@ class HeatPainter {
   }
 
   [[nodiscard]] SentHeat of_place(const Ray& ray, const FrameHits& hits, std::size_t pixel) const {
-    const auto [thing, at_m, face, n, mark] = places_.at(ray, hits, pixel);
-    const SurfaceWarmth& warmth = light_.warmth.of(material_at(thing, mark));
+    const SeenPlace place = places_.at(ray, hits, pixel);
+    const SeenThing& thing = place.thing;
+    const Triple<double>& n = place.normal;
+    const SurfaceWarmth& warmth = light_.warmth.of(material_at(thing, place.mostly()));
     SentHeat sent;
-    sent.temperature_k = warmth.temperature_k + warmed_k(warmth, at_m, n, face);
+    sent.temperature_k = warmth.temperature_k + warmed_k(warmth, place.at_m, n, place.face);
     sent.emissivity = warmth.emissivity;
     double falls_on = 0;
     if (thing.seen_class == SeenClass::water) {
@@ -103,7 +106,7 @@ class HeatPainter {
 InfraredFrame infrared_of(const RenderScene& scene, const InfraredLight& light,
                           const InfraredSensor& sensor, const Pinhole& camera,
                           const FrameHits& hits, std::uint64_t seed, int threads) {
-  const HeatPainter painter(scene, light, sensor);
+  const HeatPainter painter(scene, camera, light, sensor);
   const double noise = sensor.netd_k * painter.band().slope(netd_of_k);
   InfraredFrame frame;
   frame.wide = camera.wide();

@@ -26,19 +26,17 @@ class Painter {
         camera_(camera),
         hits_(hits),
         frame_(frame),
-        places_(scene) {
+        places_(scene, camera) {
     for (const Lamp& lamp : lighting.lamps) edges_.emplace_back(lamp);
     is_under_water_ = camera.position_m().z > scene.surface_m;
   }
 
-  void paint_row(int j) {
-    for (int i = 0; i < camera_.wide(); ++i) {
-      const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(camera_.wide()) +
-                      static_cast<std::size_t>(i);
-      const Bands light = light_along(camera_.ray(i, j), at);
-      frame_.light[at] = {static_cast<float>(light[0]), static_cast<float>(light[1]),
-                          static_cast<float>(light[2])};
-    }
+  void paint(std::size_t pixel) {
+    const auto wide = static_cast<std::size_t>(camera_.wide());
+    const Bands light = light_along(
+        camera_.ray(static_cast<int>(pixel % wide), static_cast<int>(pixel / wide)), pixel);
+    frame_.light[pixel] = {static_cast<float>(light[0]), static_cast<float>(light[1]),
+                           static_cast<float>(light[2])};
   }
 
  private:
@@ -97,16 +95,29 @@ class Painter {
 
   /// Of the place that a pixel meets, there.
   [[nodiscard]] Bands of_place(const Ray& ray, std::size_t pixel) const {
-    const auto [thing, at_m, face, n, mark] = places_.at(ray, hits_, pixel);
+    const auto [thing, at_m, face, n, mark, mark_share] = places_.at(ray, hits_, pixel);
     if (thing.seen_class == SeenClass::water)
       return is_under_water_ ? surface_from_below(ray, at_m, n) : surface_from_above(ray, n);
-    const Bands albedo = albedo_at(thing, mark, at_m, lighting_.growth, lighting_.seed);
+    const Bands albedo = albedo_of_pixel(thing, at_m, mark, mark_share);
     const double facing = faces_day(at_m, n, face);
     Bands light{};
     for (std::size_t k = 0; k < light.size(); ++k) light[k] = facing * day(at_m, k);
     for (std::size_t l = 0; l < lighting_.lamps.size(); ++l) add_lamp(l, at_m, n, face, light);
     for (std::size_t k = 0; k < light.size(); ++k) light[k] *= white * albedo[k];
     return light;
+  }
+
+  [[nodiscard]] Bands albedo_of_pixel(const SeenThing& thing, const Triple<double>& at_m,
+                                      const DefectMark* mark, double mark_share) const {
+    const auto albedo = [&](const DefectMark* of) {
+      return albedo_at(thing, of, at_m, lighting_.growth, lighting_.seed);
+    };
+    if (mark == nullptr || mark_share >= 1) return albedo(mark);
+    const Bands bare = albedo(nullptr), marked = albedo(mark);
+    Bands both{};
+    for (std::size_t k = 0; k < both.size(); ++k)
+      both[k] = bare[k] + mark_share * (marked[k] - bare[k]);
+    return both;
   }
 
   [[nodiscard]] double faces_day(const Triple<double>& at_m, const Triple<double>& n,
@@ -210,9 +221,22 @@ LightFrame light_of(const RenderScene& scene, const Lighting& lighting, const Pi
   frame.high = camera.high();
   frame.light.resize(hits.pixels());
   Painter painter(scene, lighting, camera, hits, frame);
-  for_all(static_cast<std::size_t>(frame.high), threads,
-          [&](std::size_t j) { painter.paint_row(static_cast<int>(j)); });
+  const auto wide = static_cast<std::size_t>(frame.wide);
+  for_all(static_cast<std::size_t>(frame.high), threads, [&](std::size_t row) {
+    for (std::size_t i = 0; i < wide; ++i) painter.paint(row * wide + i);
+  });
   return frame;
+}
+
+void light_again(LightFrame& frame, const std::vector<std::size_t>& pixels,
+                 const RenderScene& scene, const Lighting& lighting, const Pinhole& camera,
+                 const FrameHits& hits, int threads) {
+  Painter painter(scene, lighting, camera, hits, frame);
+  constexpr std::size_t at_once = 1024;
+  for_all((pixels.size() + at_once - 1) / at_once, threads, [&](std::size_t part) {
+    const std::size_t to = std::min(pixels.size(), (part + 1) * at_once);
+    for (std::size_t i = part * at_once; i < to; ++i) painter.paint(pixels[i]);
+  });
 }
 
 }  // namespace slackwater::twin

@@ -47,5 +47,10 @@ struct LightFrame {
 /// @param seed    of materials is the lighting's
 [[nodiscard]] LightFrame light_of(const RenderScene& scene, const Lighting& lighting,
                                   const Pinhole& camera, const FrameHits& hits, int threads);
+/// The same of some pixels alone, in a frame of that camera.
+/// @param pixels  none twice
+void light_again(LightFrame& frame, const std::vector<std::size_t>& pixels,
+                 const RenderScene& scene, const Lighting& lighting, const Pinhole& camera,
+                 const FrameHits& hits, int threads);
 
 }  // namespace slackwater::twin

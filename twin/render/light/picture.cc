@@ -43,14 +43,13 @@ Picture developed(const LightFrame& light, const ImageSensor& sensor, std::uint6
   const double mean = mean_of(light, sensor.full_light) / sensor.full_light;
   picture.gain =
       std::clamp(mean > 0 ? sensor.mean_level / mean : 1.0, 1 / sensor.most_gain, sensor.most_gain);
-  const double exposed = std::min(1.0, picture.gain), amplified = std::max(1.0, picture.gain);
+  const double amplified = std::max(1.0, picture.gain);
   const auto& table = transfer();
   const double steps = static_cast<double>(table.size() - 1);
   const auto row = 3 * static_cast<std::size_t>(light.wide);
   for_all(static_cast<std::size_t>(light.high), threads, [&](std::size_t j) {
     for (std::size_t at = j * row; at < (j + 1) * row; ++at) {
-      const double electrons =
-          exposed * light.light[at / 3][at % 3] / sensor.full_light * sensor.full_well_e;
+      const double electrons = electrons_of(light.light[at / 3][at % 3], sensor, picture.gain);
       const double sd = std::sqrt(electrons + sensor.read_noise_e * sensor.read_noise_e);
       const double noisy = electrons + sd * normal_at(noise_key(seed, at));
       const double value = std::clamp(amplified * noisy / sensor.full_well_e, 0.0, 1.0);

@@ -31,6 +31,12 @@ struct Picture {
   }
 };
 
+/// Electrons of a light, before noise, as a picture of this gain is exposed: e below.
+[[nodiscard]] inline double electrons_of(double light, const ImageSensor& sensor,
+                                         double gain) noexcept {
+  return (gain < 1 ? gain : 1) * light / sensor.full_light * sensor.full_well_e;
+}
+
 /// Light becomes electrons, e = light / full_light * full well, with shot noise of e^(1/2) and read
 /// noise, both normal; times the gain; held at the full well; written by the transfer of sRGB (IEC
 /// 61966-2-1). The noise of a pixel and colour rests on (seed, pixel, colour) alone: twelve even
