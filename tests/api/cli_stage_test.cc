@@ -23,8 +23,8 @@ class StageCommand : public testing::Test {
   static void SetUpTestSuite() {
     made_ = std::make_unique<StoreForTests>();
     const ProgramResult staged =
-        made_->run({"stage", "pile_by_rov", "--looks", "40", "--seed", "5", "--threads", "2",
-                    "--out", made_->path("looks"), "--json"});
+        made_->run({"stage", "pile_by_small_camera", "--looks", "40", "--seed", "5", "--threads",
+                    "2", "--out", made_->path("looks"), "--json"});
     ASSERT_EQ(staged.exit_code, 0) << staged.err;
     told_ = json::parse(staged.out);
   }
@@ -47,13 +47,33 @@ TEST_F(StageCommand, LeavesPicturesLabelsAndACard) {
   }
   EXPECT_EQ(told_.at("planted"), planted);
   const std::string card = read_bytes(made_->file("looks") / "README.md");
-  EXPECT_TRUE(contains(card, "| visibility | 2 to 15 m |")) << card;
+  EXPECT_TRUE(contains(card, "| visibility | 1.5 to 12 m |")) << card;
   EXPECT_TRUE(contains(card, "40 rendered pictures")) << card;
+}
+
+/// Whoever could not tell it is not asked for it.
+TEST_F(StageCommand, WhatNobodyCouldTellIsACrowd) {
+  const json set = labels();
+  std::size_t crowds = 0, hidden = 0;
+  for (const json& label : set.at("annotations")) {
+    const json& image = set.at("images").at(label.at("image_id").get<std::size_t>() - 1);
+    const json& planted =
+        image.at("look").at("planted").at(label.at("planted_number").get<std::size_t>());
+    const bool is_small = label.at("area") < 25;
+    const bool is_hidden = planted.at("detail_m").is_null() ||
+                           planted.at("size_m") < planted.at("detail_m") ||
+                           planted.at("signal_to_noise") < 5;
+    EXPECT_EQ(label.at("iscrowd"), is_small || is_hidden ? 1 : 0) << planted;
+    crowds += is_small || is_hidden ? 1 : 0;
+    hidden += is_hidden && !is_small ? 1 : 0;
+  }
+  EXPECT_GT(hidden, 0U);
+  EXPECT_LT(crowds, set.at("annotations").size() / 2);
 }
 
 TEST_F(StageCommand, TheSameSeedIsTheSameBytes) {
   ASSERT_EQ(made_
-                ->run({"stage", "pile_by_rov", "--looks", "3", "--seed", "5", "--out",
+                ->run({"stage", "pile_by_small_camera", "--looks", "3", "--seed", "5", "--out",
                        made_->path("again")})
                 .exit_code,
             0);
@@ -65,8 +85,8 @@ TEST_F(StageCommand, TheSameSeedIsTheSameBytes) {
 /// distance is that of the look.
 TEST_F(StageCommand, TheTruthBesideAPictureIsThatOfItsLabels) {
   ASSERT_EQ(made_
-                ->run({"stage", "pile_by_rov", "--looks", "3", "--seed", "5", "--truth", "--out",
-                       made_->path("true")})
+                ->run({"stage", "pile_by_small_camera", "--looks", "3", "--seed", "5", "--truth",
+                       "--out", made_->path("true")})
                 .exit_code,
             0);
   EXPECT_EQ(read_bytes(made_->file("true/look_000002.png")),
@@ -112,7 +132,7 @@ TEST_F(StageCommand, RefusesInOneLine) {
   const ProgramResult unknown =
       made_->run({"stage", "pile_by_rof", "--looks", "3", "--out", made_->path("none")});
   EXPECT_NE(unknown.exit_code, 0);
-  EXPECT_TRUE(contains(unknown.err, "pile_by_rov")) << unknown.err;
+  EXPECT_TRUE(contains(unknown.err, "pile_by_small_camera")) << unknown.err;
   EXPECT_FALSE(std::filesystem::exists(made_->path("none")));
   const ProgramResult alone = made_->run({"detect", made_->path("looks/look_000000.png"), "--by",
                                           "corrosion_by_colour", "--pod", made_->path("none")});

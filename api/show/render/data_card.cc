@@ -8,7 +8,7 @@
 namespace slackwater::api {
 namespace {
 
-/// Labels of a kind, and how many of them are too small to be told.
+/// Labels of a kind, and how many of them nobody could tell.
 struct Many {
   std::size_t labels = 0;
   std::size_t crowds = 0;
@@ -56,7 +56,7 @@ std::string data_card(const twin::LookStage& stage, std::uint64_t seed,
   row("water", joined(waters, ", "));
   for (const twin::StagedKind& kind : stage.defects)
     row(formatted("size of {}", name_of(kind.kind)), span_words(kind.size_m, " mm", 1000));
-  out += "\n| labels of | in all | too small to be told (crowd) |\n|---|---|---|\n";
+  out += "\n| labels of | in all | that cannot be told (crowd) |\n|---|---|---|\n";
   for (const auto& [kind, many] : labels_by_kind(coco))
     row(kind, formatted("{} | {}", many.labels, many.crowds));
   out +=

@@ -63,6 +63,11 @@ std::size_t category_of(twin::DefectKind kind) {
   return 1 + static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
 }
 
+bool can_be_told(const twin::StagedDefect& defect) noexcept {
+  return defect.size_m >= defect.quality.detail_m &&
+         defect.signal_to_noise >= PictureLabels::least_signal_to_noise;
+}
+
 }  // namespace
 
 PictureLabels::PictureLabels() {
@@ -83,8 +88,8 @@ json& PictureLabels::add_image(const twin::TruthFrame& truth, const std::string&
   return images.back();
 }
 
-void PictureLabels::add_annotation(twin::DefectKind kind, const PixelMask& mask,
-                                   const twin::TruthFrame& truth, std::uint32_t number) {
+json& PictureLabels::add_annotation(twin::DefectKind kind, const PixelMask& mask,
+                                    const twin::TruthFrame& truth, std::uint32_t number) {
   json& annotations = set_["annotations"];
   annotations.push_back(
       {{"id", annotations.size() + 1},
@@ -95,6 +100,7 @@ void PictureLabels::add_annotation(twin::DefectKind kind, const PixelMask& mask,
        {"segmentation", {{"size", {truth.high, truth.wide}}, {"counts", mask.runs}}},
        {"iscrowd", mask.pixels < least_pixels ? 1 : 0},
        {"planted_number", number}});
+  return annotations.back();
 }
 
 void PictureLabels::add(const RenderView& view, const std::string& file) {
@@ -122,7 +128,8 @@ void PictureLabels::add(const twin::StagedLook& look, const std::string& file) {
          {"contrast", defect.quality.contrast},
          {"light", defect.quality.light},
          {"centre_px", defect.centre_px},
-         {"pixels", defect.pixels}});
+         {"pixels", defect.pixels},
+         {"signal_to_noise", defect.signal_to_noise}});
   add_image(look.truth, file)["look"] = {{"number", look.number},
                                          {"range_m", look.range_m},
                                          {"off_square_deg", look.off_square_rad / degree},
@@ -138,8 +145,11 @@ void PictureLabels::add(const twin::StagedLook& look, const std::string& file) {
                                          {"axis_enu", enu(look.pose.axis)},
                                          {"right_enu", enu(look.pose.right)},
                                          {"planted", planted}};
-  for (const auto& [number, mask] : masks_of(look.truth))
-    add_annotation(look.defects.at(number - 1U).kind, mask, look.truth, number - 1U);
+  for (const auto& [number, mask] : masks_of(look.truth)) {
+    const twin::StagedDefect& defect = look.defects.at(number - 1U);
+    json& label = add_annotation(defect.kind, mask, look.truth, number - 1U);
+    if (!can_be_told(defect)) label["iscrowd"] = 1;
+  }
 }
 
 }  // namespace slackwater::api

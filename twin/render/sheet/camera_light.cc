@@ -1,12 +1,20 @@
 #include "twin/render/sheet/camera_light.h"
 
+#include <utility>
+
 namespace slackwater::twin {
 
 CameraLight light_in(const CameraThere& there, const Pinhole& camera, const FrameHits& hits) {
+  return light_behind_lens(light_of(there.scene, there.lighting, camera, hits, there.threads),
+                           there, camera, hits);
+}
+
+CameraLight light_behind_lens(LightFrame of_scene, const CameraThere& there, const Pinhole& camera,
+                              const FrameHits& hits) {
   const CameraSheet& sheet = there.sheet;
   const bool is_under_water = there.pose.position_m.z > there.scene.surface_m;
   CameraLight seen;
-  seen.frame = light_of(there.scene, there.lighting, camera, hits, there.threads);
+  seen.frame = std::move(of_scene);
   if (sheet.forward_scatter && is_under_water)
     seen.frame =
         scattered_forwards(seen.frame, *sheet.forward_scatter, camera, hits,

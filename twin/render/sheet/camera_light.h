@@ -26,5 +26,8 @@ struct CameraLight {
 /// by what moves. What is of water is left out in air.
 [[nodiscard]] CameraLight light_in(const CameraThere& there, const Pinhole& camera,
                                    const FrameHits& hits);
+/// What becomes of the scene's light on its way into the camera: the second half of it.
+[[nodiscard]] CameraLight light_behind_lens(LightFrame of_scene, const CameraThere& there,
+                                            const Pinhole& camera, const FrameHits& hits);
 
 }  // namespace slackwater::twin

@@ -14,6 +14,7 @@
 #include "twin/render/sheet/camera_instrument.h"
 #include "twin/render/sheet/camera_light.h"
 #include "twin/render/stage/drawn_place.h"
+#include "twin/render/stage/told_from_noise.h"
 
 namespace slackwater::twin {
 namespace {
@@ -24,6 +25,20 @@ constexpr int most_draws = 1000;
 double even(Rng& rng, const Range& range) { return rng.uniform(range.low, range.high); }
 double even_log(Rng& rng, const Range& range) {
   return range.low * std::pow(range.high / range.low, rng.uniform());
+}
+
+/// And those beside them, whose edge shows a little.
+std::vector<std::size_t> pixels_of_marks(const TruthFrame& truth) {
+  const auto wide = static_cast<std::size_t>(truth.wide), all = truth.defect.size();
+  std::vector<std::size_t> pixels;
+  for (std::size_t at = 0; at < all; ++at) {
+    const bool is_near = truth.defect[at] > 0 || (at > 0 && truth.defect[at - 1] > 0) ||
+                         (at + 1 < all && truth.defect[at + 1] > 0) ||
+                         (at >= wide && truth.defect[at - wide] > 0) ||
+                         (at + wide < all && truth.defect[at + wide] > 0);
+    if (is_near) pixels.push_back(at);
+  }
+  return pixels;
 }
 
 }  // namespace
@@ -156,8 +171,9 @@ StagedLook Stage::look(std::uint64_t seed, std::uint64_t number, int threads) co
   }
   lighting.shadows.still = parts.caster;
   const CameraThere there{sheet_camera, scene, lighting, look.pose, own_seed, threads};
-  look.picture =
-      developed(light_in(there, camera, hits).frame, sheet_camera.sensor, own_seed, threads);
+  LightFrame of_scene = light_of(scene, lighting, camera, hits, threads);
+  const LightFrame light = light_behind_lens(of_scene, there, camera, hits).frame;
+  look.picture = developed(light, sheet_camera.sensor, own_seed, threads);
 
   const Instrument instrument = instrument_of(sheet.sensor, look.lamps);
   for (const DefectMark& mark : scene.marks) {
@@ -175,6 +191,13 @@ StagedLook Stage::look(std::uint64_t seed, std::uint64_t number, int threads) co
   }
   for (const std::uint16_t defect : look.truth.defect)
     if (defect > 0) ++look.defects[defect - 1U].pixels;
+  if (!scene.marks.empty()) {
+    light_again(of_scene, pixels_of_marks(look.truth), parts.bare, lighting, camera, hits, threads);
+    const LightFrame bare = light_behind_lens(std::move(of_scene), there, camera, hits).frame;
+    const auto told = told_from_noise(light, bare, look.truth, sheet_camera.sensor,
+                                      look.picture.gain, look.defects.size());
+    for (std::size_t i = 0; i < look.defects.size(); ++i) look.defects[i].signal_to_noise = told[i];
+  }
   look.seen_m2 = seen_area_m2(look.truth, camera);
   return look;
 }

@@ -20,6 +20,7 @@ struct StagedDefect {
   double width_m = 0;                 ///< shortest side
   LookQuality quality;     ///< of its centre, by the sensor (quality.h); detail infinite: not seen
   std::size_t pixels = 0;  ///< that show it
+  double signal_to_noise = 0;  ///< of the picture with it: told_from_noise.h
 };
 
 /// One look at a stage: what was drawn, what is seen, and what is there.
