@@ -4,6 +4,7 @@
 
 #include "api/ask/render/logged_poses.h"
 #include "api/ask/render/seen_run.h"
+#include "api/ask/run/heard_traffic.h"
 #include "api/ask/run/scenario_run.h"
 #include "api/log/command_tables.h"
 #include "fields/base/error.h"
@@ -22,12 +23,19 @@ twin::Scenario scenario_of(const ingest::TrajectoryFile& log, const std::filesys
   return twin::parse_scenario(yaml, path.string() + " (scenario)");
 }
 
-std::vector<twin::Command> weather_in(const ingest::TrajectoryFile& log) {
-  std::vector<twin::Command> weather = commands_in(log);
-  std::erase_if(weather, [](const twin::Command& command) {
-    return !std::holds_alternative<twin::SetWeather>(command.what);
-  });
-  return weather;
+std::vector<twin::Command> view_commands_in(const ingest::TrajectoryFile& log) {
+  std::vector<twin::Command> commands = commands_in(log);
+  std::erase_if(commands, [](const twin::Command& command) { return !changes_the_view(command); });
+  return commands;
+}
+
+/// With the traffic that the log has, as it was heard then.
+ScenarioWater water_in(const ingest::TrajectoryFile& log, const twin::Scenario& scenario,
+                       const std::filesystem::path& store_folder, const RenderChoice& choice) {
+  ScenarioWater water =
+      water_of_log(scenario, log.attribute("forecast_sha256"), store_folder, choice.forecast);
+  add_logged_traffic(log, scenario, water);
+  return water;
 }
 
 }  // namespace
@@ -40,7 +48,7 @@ struct RenderedRun::Parts {
   ScenarioWater water;
   MountedSensor mounted;
   SeenRun run;
-  std::vector<twin::Command> weather;
+  std::vector<twin::Command> commands;
   std::vector<std::string> warnings;
 
   Parts(const RenderChoice& chosen, const std::filesystem::path& store_folder)
@@ -48,11 +56,10 @@ struct RenderedRun::Parts {
         log(ingest::read_trajectories(chosen.log)),
         scenario(scenario_of(log, chosen.log)),
         poses(log),
-        water(water_of_log(scenario, log.attribute("forecast_sha256"), store_folder,
-                           chosen.forecast)),
+        water(water_in(log, scenario, store_folder, chosen)),
         mounted(mounted_sensor(chosen.sensor, 0, chosen.sight, water.surround.data_folder)),
         run(scenario, water.surround, log.names),
-        weather(weather_in(log)) {
+        commands(view_commands_in(log)) {
     mounted.vehicle = chosen_vehicle();
     mounted.threads = chosen.threads;
     warnings = run.warnings(mounted.vehicle);
@@ -111,7 +118,7 @@ RenderView RenderedRun::view_at(double t_s) const {
     throw Error(ErrorKind::invalid_input,
                 formatted("{} was not there at {:g} s: it joined later, or had come to grief",
                           vehicle(), t_s));
-  return parts.run.look(parts.mounted, {t_s, vehicles, parts.weather});
+  return parts.run.look(parts.mounted, {t_s, vehicles, parts.commands});
 }
 
 }  // namespace slackwater::api

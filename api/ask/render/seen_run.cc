@@ -7,6 +7,7 @@
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
+#include "twin/inspection/instrument/pointing.h"
 #include "twin/render/scene/place_to_look_at.h"
 #include "twin/render/scene/scene_of_run.h"
 #include "twin/risk/sun_position.h"
@@ -21,12 +22,6 @@ constexpr double usual_water_m = 8, usual_air_m = 20000;
 twin::Clarity usual_clarity(double visibility_m, twin::Medium medium) {
   twin::Clarity clarity;
   return twin::seen_through(clarity, visibility_m, medium);
-}
-
-/// Who meets whom is in the run's rows: nobody is followed or alarmed again.
-twin::Scenario without_traffic(twin::Scenario scenario) {
-  scenario.traffic = {};
-  return scenario;
 }
 
 twin::ReadyRun ready_to_look_at(const twin::Scenario& scenario, twin::Surround surround) {
@@ -47,7 +42,22 @@ std::span<const std::uint16_t> defects_shown(const SeenByDevice& seen) {
   return {};
 }
 
+/// Of a camera, of light or of heat; else null. @param sensor  a RenderSensor, const or not
+template <typename Sensor>
+auto* frame_of(Sensor& sensor) noexcept {
+  auto* camera = std::get_if<twin::CameraSheet>(&sensor.device);
+  if (camera != nullptr) return &camera->frame;
+  auto* heat = std::get_if<twin::InfraredSheet>(&sensor.device);
+  return heat != nullptr ? &heat->frame : nullptr;
+}
+
 }  // namespace
+
+bool changes_the_view(const twin::Command& command) noexcept {
+  return std::holds_alternative<twin::SetWeather>(command.what) ||
+         std::holds_alternative<twin::PointCamera>(command.what) ||
+         std::holds_alternative<twin::Resume>(command.what);
+}
 
 MountedSensor mounted_sensor(const std::string& sensor, std::size_t vehicle,
                              const SightChoice& sight, const std::filesystem::path& data_folder) {
@@ -61,7 +71,7 @@ MountedSensor mounted_sensor(const std::string& sensor, std::size_t vehicle,
 
 SeenRun::SeenRun(twin::Scenario scenario, const twin::Surround& surround,
                  std::vector<std::string> vehicles)
-    : scenario_(without_traffic(std::move(scenario))),
+    : scenario_(std::move(scenario)),
       names_(std::move(vehicles)),
       ready_(ready_to_look_at(scenario_, surround)),
       shapes_(names_.size()) {
@@ -109,11 +119,28 @@ void SeenRun::lead_weather(const SeenMoment& moment) const {
   const twin::Environment& environment = *ready_.environment;
   if (!environment.weather) return;
   environment.weather->forget();
-  for (const twin::Command& command : moment.weather) {
+  for (const twin::Command& command : moment.commands) {
+    const auto* weather = std::get_if<twin::SetWeather>(&command.what);
     const double set_s = static_cast<double>(command.step) * scenario_.step_s;
-    if (set_s <= moment.t_s)
-      environment.weather->set(std::get<twin::SetWeather>(command.what).asked, environment, set_s);
+    if (weather != nullptr && set_s <= moment.t_s)
+      environment.weather->set(weather->asked, environment, set_s);
   }
+}
+
+/// As somebody left the joints of its vehicle's cameras by then.
+twin::CameraPointing SeenRun::pointing(const MountedSensor& mounted,
+                                       const SeenMoment& moment) const {
+  twin::CameraPointing pointing;
+  if (frame_of(mounted.sensor) == nullptr) return pointing;
+  for (const twin::Command& command : moment.commands) {
+    const bool is_by_then = static_cast<double>(command.step) * scenario_.step_s <= moment.t_s;
+    if (command.agent != mounted.vehicle || !is_by_then) continue;
+    if (const auto* turned = std::get_if<twin::PointCamera>(&command.what))
+      pointing = turned->pointing;
+    else if (std::holds_alternative<twin::Resume>(command.what))
+      pointing = {};
+  }
+  return pointing;
 }
 
 std::vector<twin::SeenVehicle> SeenRun::others_than(std::size_t vehicle,
@@ -154,7 +181,11 @@ SeenRun::Sighting SeenRun::sighting(const MountedSensor& mounted, const SeenMome
   const twin::Carriage& carriage = *moment.vehicles[mounted.vehicle];
   // Lamps stand on the hull, or turn with the camera that is turned.
   Sighting sighting{twin::pose_of(sensor, carriage), carriage, {}};
-  if (sensor.is_aimed) {
+  const twin::CameraPointing pointing = this->pointing(mounted, moment);
+  if (pointing.pan_rad != 0 || pointing.tilt_rad != 0) {
+    sighting.pose = twin::pointed(sighting.pose, carriage, pointing);
+    sighting.lamps_on = twin::hull_that_has(sensor, sighting.pose);
+  } else if (sensor.is_aimed) {
     const auto place_m = twin::place_to_look_at(inspections_, ready_.environment->structures,
                                                 sighting.pose.position_m, sensor.most_range_m);
     if (place_m) {
@@ -163,8 +194,9 @@ SeenRun::Sighting SeenRun::sighting(const MountedSensor& mounted, const SeenMome
     }
   }
   const std::vector<twin::SeenVehicle> vehicles = others_than(mounted.vehicle, moment);
-  sighting.scene = twin::scene_of_run({sampler, inspections_, vehicles, scenario_.seed, moment.t_s,
-                                       sighting.pose.position_m, sensor.most_range_m});
+  sighting.scene =
+      twin::scene_of_run({sampler, inspections_, vehicles, ready_.vessels, scenario_.seed,
+                          moment.t_s, sighting.pose.position_m, sensor.most_range_m});
   const double below_m = sighting.pose.position_m.z - sighting.scene.surface_m;
   twin::expect_in_medium(sensor, below_m > 0,
                          formatted("{:.2f} m {} the surface, {:g} s after the start",
@@ -178,7 +210,9 @@ void SeenRun::expect_sees(const MountedSensor& mounted, const SeenMoment& moment
 }
 
 RenderView SeenRun::look(const MountedSensor& mounted, const SeenMoment& moment) const {
-  const twin::RenderSensor& sensor = mounted.sensor;
+  twin::RenderSensor sensor = mounted.sensor;
+  if (const double zoom = pointing(mounted, moment).zoom; zoom != 1)
+    twin::zoom_in(zoom, *frame_of(sensor));
   const double t_s = moment.t_s;
   lead_weather(moment);
   const twin::EnvironmentSampler sampler(*ready_.environment);

@@ -14,6 +14,7 @@
 #include "twin/render/scene/scene_of_run.h"
 #include "twin/run/command.h"
 #include "twin/run/set_up.h"
+#include "twin/sensor/camera_pointing.h"
 
 namespace slackwater::api {
 
@@ -38,13 +39,22 @@ struct SeenMoment {
   double t_s = 0;  ///< since the start of the run
   /// Of each of its vehicles; nothing: it was not there.
   std::span<const std::optional<twin::Carriage>> vehicles;
-  /// Each `SetWeather` of the run, in the order of their steps; those of a later time are left out.
-  std::span<const twin::Command> weather;
+  /// Each command of the run that `changes_the_view`, in the order of their steps; those of a later
+  /// time are left out.
+  std::span<const twin::Command> commands;
 };
+
+/// Whether what is seen hangs on it beside where the vehicles are: the weather, and where somebody
+/// turned a camera.
+[[nodiscard]] bool changes_the_view(const twin::Command& command) noexcept;
 
 /// A run for those who look at it: its scenario made ready once more, where nothing moves by
 /// itself. Where its vehicles are, a log says (`RenderedRun`), or the run that goes on beside it
 /// (`slackwater live`): the same moment is the same view, bit for bit.
+///
+/// A camera that somebody at the helm has turned looks along the hull and its joints (pointing.h),
+/// lamps and all, and no longer at what is inspected; zoomed in, it sees less of it in as many
+/// pixels. All cameras of a vehicle are turned as one.
 ///
 /// For one thread: the weather of a moment is led in its own environment.
 class SeenRun {
@@ -81,6 +91,8 @@ class SeenRun {
   };
   [[nodiscard]] Sight sight_from(std::size_t vehicle) const;
   void lead_weather(const SeenMoment& moment) const;
+  [[nodiscard]] twin::CameraPointing pointing(const MountedSensor& mounted,
+                                              const SeenMoment& moment) const;
   [[nodiscard]] std::vector<twin::SeenVehicle> others_than(std::size_t vehicle,
                                                            const SeenMoment& moment) const;
   [[nodiscard]] twin::Lighting lighting(const MountedSensor& mounted,

@@ -183,7 +183,7 @@ struct SensorPublisher::Moment {
   double t_s = 0;
   LookThread::WallClock::time_point at;
   std::vector<std::optional<twin::Carriage>> vehicles;
-  std::shared_ptr<const std::vector<twin::Command>> weather;
+  std::shared_ptr<const std::vector<twin::Command>> commands;
 };
 
 struct SensorPublisher::Eye {
@@ -220,7 +220,7 @@ SensorPublisher::SensorPublisher(Stream& stream, const RunPlace& place, const ap
       on_picture_(std::move(on_picture)),
       vehicles_(hand.run.agents().size()),
       seen_(hand.scenario, with_shelves(hand.water.surround, hand.run), names_of_all(hand.run)),
-      weather_(std::make_shared<const std::vector<twin::Command>>()) {
+      commands_(std::make_shared<const std::vector<twin::Command>>()) {
   const auto first = moment(hand.run.time_s());
   for (const SensorAsked& one : asked.sensors) {
     with_context(formatted("--see {}/{}", one.vehicle, one.sensor), [&] {
@@ -231,7 +231,7 @@ SensorPublisher::SensorPublisher(Stream& stream, const RunPlace& place, const ap
         throw Error(ErrorKind::invalid_input,
                     "found it twice, expected once with the rate that is meant");
       Eye eye = eye_of(one, asked.sight, hand);
-      seen_.expect_sees(eye.mounted, {first->t_s, first->vehicles, *first->weather});
+      seen_.expect_sees(eye.mounted, {first->t_s, first->vehicles, *first->commands});
       eyes_.push_back(std::move(eye));
     });
   }
@@ -279,15 +279,15 @@ std::shared_ptr<const SensorPublisher::Moment> SensorPublisher::moment(double t_
   const auto commands = run_.commands_taken();
   for (; commands_looked_at_ < commands.size(); ++commands_looked_at_) {
     const twin::Command& command = commands[commands_looked_at_];
-    if (!std::holds_alternative<twin::SetWeather>(command.what)) continue;
-    auto more = std::make_shared<std::vector<twin::Command>>(*weather_);
+    if (!api::changes_the_view(command)) continue;
+    auto more = std::make_shared<std::vector<twin::Command>>(*commands_);
     more->push_back(command);
-    weather_ = std::move(more);
+    commands_ = std::move(more);
   }
   auto now = std::make_shared<Moment>();
   now->t_s = t_s;
   now->at = LookThread::WallClock::now();
-  now->weather = weather_;
+  now->commands = commands_;
   const auto states = run_.states();
   for (std::size_t i = 0; i < vehicles_; ++i)
     now->vehicles.push_back(api::carriage_as_logged(states[i].vehicle.body));
@@ -299,7 +299,7 @@ void SensorPublisher::look(const Eye& eye, const Moment& moment,
   if (!moment.vehicles[eye.mounted.vehicle])
     throw Error(ErrorKind::unavailable, "its vehicle has come to grief");
   const api::RenderView view =
-      seen_.look(eye.mounted, {moment.t_s, moment.vehicles, *moment.weather});
+      seen_.look(eye.mounted, {moment.t_s, moment.vehicles, *moment.commands});
   auto jpeg = std::make_shared<std::vector<std::uint8_t>>();
   const std::optional<CameraFrame> camera = camera_frame(view);
   if (camera && (on_picture_ || is_wanted.front())) *jpeg = jpeg_of_view(view);

@@ -85,7 +85,8 @@ class SensorPublisher {
   api::SeenRun seen_;     ///< of the look thread alone, once that is there
   std::vector<Eye> eyes_;
   std::size_t commands_looked_at_ = 0;
-  std::shared_ptr<const std::vector<twin::Command>> weather_;  ///< so far; others when there is new
+  /// Those that change the view, so far; others when there is a new one.
+  std::shared_ptr<const std::vector<twin::Command>> commands_;
 
   std::mutex mutex_;
   std::vector<Made> made_;

@@ -27,13 +27,15 @@ Pose pointed(Pose pose, const Carriage& carriage, const CameraPointing& pointing
 }
 
 void zoom_in(double zoom, Instrument& instrument) noexcept {
-  auto* frame = std::get_if<FrameFootprint>(&instrument.footprint);
-  if (frame == nullptr) return;
+  if (auto* frame = std::get_if<FrameFootprint>(&instrument.footprint)) zoom_in(zoom, *frame);
+}
+
+void zoom_in(double zoom, FrameFootprint& frame) noexcept {
   const auto narrowed = [zoom](double field_rad) {
     return 2 * std::atan(std::tan(field_rad / 2) / zoom);
   };
-  frame->horizontal_rad = narrowed(frame->horizontal_rad);
-  frame->vertical_rad = narrowed(frame->vertical_rad);
+  frame.horizontal_rad = narrowed(frame.horizontal_rad);
+  frame.vertical_rad = narrowed(frame.vertical_rad);
 }
 
 }  // namespace slackwater::twin

@@ -13,7 +13,9 @@ namespace slackwater::twin {
                            const CameraPointing& pointing) noexcept;
 
 /// A camera whose focal length is `zoom` times its own, with as many pixels: tan(field/2) is so
-/// much less. Others stay as they are.
+/// much less.
+void zoom_in(double zoom, FrameFootprint& frame) noexcept;
+/// Others than cameras stay as they are.
 void zoom_in(double zoom, Instrument& instrument) noexcept;
 
 }  // namespace slackwater::twin

@@ -6,8 +6,10 @@
 #include "fields/base/config.h"
 #include "fields/base/text.h"
 #include "twin/inspection/defect/defect_plan.h"
+#include "twin/render/scene/passing_vessel.h"
 #include "twin/render/scene/sea_mesh.h"
 #include "twin/render/scene/simple_mesh.h"
+#include "twin/render/scene/turning_rotor.h"
 
 namespace slackwater::twin {
 namespace {
@@ -93,6 +95,56 @@ void add_bed(const RunMoment& moment, RenderScene& scene) {
                                    reach_m, std::max(0.5, reach_m / 40), shown)});
 }
 
+double apart_m(const Triple<double>& a, const Triple<double>& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// It has been stopped for its inspection. @param foot_m  where it stands
+bool is_inspected(const RunMoment& moment, const Turbine& turbine, const Triple<double>& foot_m) {
+  for (const auto& inspection : moment.inspections)
+    for (const Surface& surface : inspection->surfaces) {
+      const bool is_of_turbine = surface.kind == SurfaceKind::tower ||
+                                 surface.kind == SurfaceKind::nacelle ||
+                                 surface.kind == SurfaceKind::blade;
+      if (is_of_turbine && apart_m(surface.mesh.origin_m, foot_m) < 0.5 * turbine.rotor_diameter_m)
+        return true;
+    }
+  return false;
+}
+
+/// z of the top of what stands there; the sea's level where nothing does.
+double top_of_foundation_m(const RunMoment& moment, const Triple<double>& foot_m) {
+  double top_m = 0;
+  for (const Structure& structure : moment.sampler.environment().structures)
+    if (const auto* pile = std::get_if<Cylinder>(&structure);
+        pile != nullptr && apart_m({pile->north_m, pile->east_m, 0}, foot_m) < 1)
+      top_m = std::min(top_m, pile->top_m);
+  return top_m;
+}
+
+void add_turbines(const RunMoment& moment, RenderScene& scene) {
+  const auto& turbines = moment.sampler.environment().turbines;
+  if (!turbines || moment.middle_m.z > 0) return;
+  const Turbine& kind = *turbines->kind;
+  std::size_t number = 0;
+  for (const Horizontal& at_m : turbines->at_m) {
+    ++number;
+    const Triple<double> foot_m{at_m.imag(), at_m.real(), 0};
+    if (apart_m(foot_m, moment.middle_m) > moment.reach_m + kind.rotor_diameter_m ||
+        is_inspected(moment, kind, foot_m))
+      continue;
+    const auto wind =
+        moment.sampler.free_wind({foot_m.x, foot_m.y, -kind.hub_height_m}, moment.t_s);
+    const Triple<double> blows =
+        has_value(wind.status) ? wind.velocity_m_s : Triple<double>{0, 0, 0};
+    const RunningTurbine running{foot_m.x, foot_m.y, top_of_foundation_m(moment, foot_m), blows.x,
+                                 blows.y};
+    for (SeenThing& thing :
+         seen_turbine(kind, running, moment.t_s, formatted("turbine {}", number)))
+      scene.things.push_back(std::move(thing));
+  }
+}
+
 }  // namespace
 
 VehicleShape read_vehicle_shape(const std::filesystem::path& file) {
@@ -121,10 +173,15 @@ RenderScene scene_of_run(const RunMoment& moment) {
         {seen.name, SeenClass::vehicle, Material::plastic,
          hull_mesh(seen.shape.kind, seen.shape.size_m,
                    seen.position_m + seen.attitude.to_ned(seen.shape.middle_m), seen.attitude)});
-  scene.things.push_back({"sea", SeenClass::water, Material::water,
-                          sea_mesh(moment.sampler.waves(), moment.middle_m,
-                                   std::min(moment.reach_m, most_of_sea_m), moment.t_s)});
-  scene.surface_m = scene.things.back().mesh.corner_m(0).z;
+  SeenThing sea{"sea", SeenClass::water, Material::water,
+                sea_mesh(moment.sampler.waves(), moment.middle_m,
+                         std::min(moment.reach_m, most_of_sea_m), moment.t_s)};
+  scene.surface_m = sea.mesh.corner_m(0).z;
+  for (SeenThing& vessel : vessels_in_reach(moment.traffic, moment.t_s, moment.middle_m,
+                                            moment.reach_m, scene.surface_m))
+    scene.things.push_back(std::move(vessel));
+  add_turbines(moment, scene);
+  scene.things.push_back(std::move(sea));
   return scene;
 }
 

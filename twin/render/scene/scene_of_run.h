@@ -8,6 +8,7 @@
 #include "twin/environment/environment.h"
 #include "twin/inspection/inspection.h"
 #include "twin/render/scene/render_scene.h"
+#include "twin/traffic/traffic_picture.h"
 
 namespace slackwater::twin {
 
@@ -35,20 +36,23 @@ struct RunMoment {
   const EnvironmentSampler& sampler;  ///< of its water, and the sea as somebody leads it
   std::span<const std::shared_ptr<const Inspection>> inspections;  ///< each once
   std::span<const SeenVehicle> vehicles;  ///< but the one that looks: it does not see itself
-  std::uint64_t seed = 0;                 ///< of the run: for the defects that are there
-  double t_s = 0;                         ///< since the epoch
+  const std::vector<TrafficVessel>& traffic;
+  std::uint64_t seed = 0;  ///< of the run: for the defects that are there
+  double t_s = 0;          ///< since the epoch
   /// About which bed and sea are laid: the camera's place, the same for both moments of a flow.
   Triple<double> middle_m;
   double reach_m = 0;  ///< how far the camera sees
 };
 
 /// What can be seen then: the inspected surfaces with their planted defects, the structures, the
-/// bed, the other vehicles and the sea, in this order.
+/// bed, the other vehicles, passing vessels, running turbines and the sea, in this order.
 ///
 /// - A structure is as its scenario has it; where an inspected surface lies on it, it is drawn 4 %
 ///   thinner, so that the surface is what is seen. The bed is level at the depth that the
-///   environment's field says at the middle, but where an inspected bed is. Growth, tethers,
-///   traffic and turning rotors are not in it.
+///   environment's field says at the middle, but where an inspected bed is. Tethers are not in it.
+/// - Vessels are where their tracks say (passing_vessel.h). A turbine of the site of which nobody
+///   inspects tower, nacelle or blades runs in the wind at its hub (turning_rotor.h), its tower on
+///   what stands there; one that looks from under water does not see it.
 /// - The sea is that of the run's own waves about the middle (sea_mesh.h), the bed within the same
 ///   reach.
 [[nodiscard]] RenderScene scene_of_run(const RunMoment& moment);

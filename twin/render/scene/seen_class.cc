@@ -6,7 +6,7 @@ const char* name_of(SeenClass seen) noexcept {
   constexpr std::array<const char*, seen_classes> names{
       "nothing", "monopile",  "transition_piece", "tower", "nacelle",
       "blade",   "anodes",    "mooring_line",     "cable", "bed",
-      "water",   "structure", "vehicle"};
+      "water",   "structure", "vehicle",          "vessel"};
   return names[static_cast<std::size_t>(seen)];
 }
 

@@ -21,8 +21,9 @@ enum class SeenClass : std::uint8_t {
   water,      ///< the surface of the sea, from above or below
   structure,  ///< of the scenario, that nobody inspects
   vehicle,
+  vessel,  ///< of the traffic
 };
-inline constexpr std::size_t seen_classes = 13;
+inline constexpr std::size_t seen_classes = 14;
 [[nodiscard]] const char* name_of(SeenClass seen) noexcept;
 [[nodiscard]] SeenClass class_of(SurfaceKind kind) noexcept;
 

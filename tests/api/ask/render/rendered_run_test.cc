@@ -26,6 +26,10 @@ waves:
 structures:
   - {name: pile, kind: cylinder, north_m: 0, east_m: 0, diameter_m: 6, top_height_m: 12,
      bottom_depth_m: 30}
+traffic:
+  vessels:
+    - {mmsi: 211000003, name: ANNE, speed_m_s: 5,
+       waypoints: [{north_m: 120, east_m: -70}, {north_m: 120, east_m: 300}]}
 vehicles:
   - name: rov
     model: bluerov2_heavy
@@ -121,6 +125,28 @@ TEST_F(RenderedRunOfARun, InAirSeesSkySeaAndPile) {
     if (scan.true_range_m[i] < nearest_m) nearest_m = scan.true_range_m[i];
   // The lowest channel, 22.5 degrees down, meets the sea 10 m below; waves are some decimetres.
   EXPECT_NEAR(nearest_m, 10 / std::sin(22.5 * constants::degree), 3);
+}
+
+/// The vessel of the traffic, where its track says: 20 m long, 150 m off, on its way to the east.
+TEST_F(RenderedRunOfARun, SeesAVesselPassBy) {
+  const api::RenderedRun looking = rendered("uav_camera");
+  const auto middle_px = [&](double t_s) {
+    const api::RenderView view = looking.view_at(t_s);
+    const auto& truth = std::get<api::CameraView>(view.seen).truth;
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < truth.pixels(); ++i) {
+      if (truth.seen_class[i] != twin::SeenClass::vessel) continue;
+      EXPECT_EQ(view.things[truth.instance[i] - 1U].name, "ANNE");
+      EXPECT_NEAR(truth.depth_m[i], 150, 10);
+      sum += static_cast<double>(i % static_cast<std::size_t>(truth.wide));
+      count += 1;
+    }
+    EXPECT_GT(count, 200);
+    return sum / count;
+  };
+  // 5 m/s for 4 s, in pixels of 150 m over the focal length.
+  const double focal_px = 640 / std::tan(32.5 * constants::degree);
+  EXPECT_NEAR(middle_px(5) - middle_px(1), 20 * focal_px / 150, 0.25 * 20 * focal_px / 150);
 }
 
 // In the sun the pile is warmer than the sea; the sky is colder the higher it is seen.

@@ -197,6 +197,41 @@ TEST_F(SeeingRun, APictureIsToTheBitWhatTheLogShowsAfterwards) {
   EXPECT_EQ(last_s, 4);
 }
 
+/// What the operator of a session turns: the camera leaves what it is kept on.
+TEST_F(SeeingRun, ACameraThatIsTurnedAndZoomedSeesWhatTheLogShowsAfterwards) {
+  const auto turn = [](const api::RunInHand& hand) {
+    twin::Command command;
+    command.step = 21;  // 1.05 s
+    command.what = twin::PointCamera{{0.3, -0.2, 2}};
+    hand.run.enqueue(command);
+    command.step = 61;
+    command.what = twin::Resume{};
+    hand.run.enqueue(command);
+  };
+  const Lived lived = run_live({"rov 1/rov_camera@2"}, 0, {}, turn);
+  const api::RenderedRun looking = afterwards(lived, "rov_camera", "rov 1");
+  const auto& images = lived.hearer->heard("image/compressed");
+  for (const dds::Bytes& image : images) {
+    HandReader read(image);
+    const double t_s = time_of_header(read, "rov_1/rov_camera");
+    (void)read.string();
+    std::vector<std::uint8_t> jpeg(read.count());
+    for (std::uint8_t& byte : jpeg) byte = read.octet();
+    const auto view = looking.view_at(t_s);
+    EXPECT_EQ(jpeg, api::jpeg_of(std::get<api::CameraView>(view.seen).picture)) << t_s;
+  }
+  const auto kept = looking.view_at(1), away = looking.view_at(2), again = looking.view_at(4);
+  const auto& matrix_of = [](const api::RenderView& view) -> const std::array<double, 9>& {
+    return std::get<api::CameraView>(view.seen).matrix;
+  };
+  EXPECT_NEAR(matrix_of(away)[0], 2 * matrix_of(kept)[0], 1e-6);
+  EXPECT_EQ(matrix_of(again), matrix_of(kept));
+  // Heading north with a little roll and pitch: 0.3 to the east of it, 0.2 down.
+  EXPECT_NEAR(std::atan2(away.pose.axis.y, away.pose.axis.x), 0.3, 0.1);
+  EXPECT_NEAR(std::asin(away.pose.axis.z), 0.2, 0.1);
+  EXPECT_LT(std::abs(std::atan2(kept.pose.axis.y, kept.pose.axis.x)), 0.15);
+}
+
 /// All of a turn: what came back off the pile, and off the sea.
 TEST_F(SeeingRun, PointsOfACloudLieOnWhatIsThere) {
   const Lived lived = run_live({"uav/uav_lidar@1"});
