@@ -3,8 +3,9 @@
 #include <openssl/evp.h>
 
 #include <array>
-#include <cstddef>
+#include <span>
 
+#include "fields/base/base64.h"
 #include "fields/base/error.h"
 
 namespace slackwater {
@@ -15,9 +16,7 @@ std::string sha1_base64(std::string_view text) {
   if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha1(), nullptr) != 1) {
     throw Error(ErrorKind::internal, "SHA-1 is refused by the cryptographic library");
   }
-  std::array<unsigned char, std::size_t{2} * EVP_MAX_MD_SIZE> coded{};
-  const int coded_length = EVP_EncodeBlock(coded.data(), digest.data(), static_cast<int>(length));
-  return {coded.begin(), coded.begin() + coded_length};
+  return base64_of(std::span(digest).first(length));
 }
 
 }  // namespace slackwater

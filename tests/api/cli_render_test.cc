@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "ingest/netcdf/file.h"
 #include "tests/support/contains.h"
@@ -115,6 +116,31 @@ std::vector<bool> mask_of(const json& segmentation) {
   return mask;
 }
 
+/// A sensor that a run is asked for sees what is seen of its log later.
+TEST_F(RenderCommand, SimulateLeavesWhatItsSensorsSaw) {
+  const ProgramResult later = made_->run({"render", path("run.nc"), "--sensor", "rov_camera",
+                                          "--at", "50s", "--out", path("later"), "--json"});
+  ASSERT_EQ(later.exit_code, 0) << later.err;
+  const std::string vehicle = json::parse(later.out).at("vehicle");
+  const auto seeing = [&](const std::string& see) {
+    return made_->run(
+        {"simulate", path("laid_out.yaml"), "--out", path("seeing.nc"), "--see", see, "--json"});
+  };
+  const ProgramResult run = seeing(vehicle + "/rov_camera@0.02");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json seen = json::parse(run.out).at("seen");
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_GE(seen[0].at("frames").size(), 2U);
+  const std::string name = "rov_camera_000050.000";
+  EXPECT_EQ(bytes_of(path("seeing-" + vehicle + "-rov_camera/" + name + ".png")),
+            bytes_of(path("later/" + name + ".png")));
+  EXPECT_TRUE(contains(seeing("nobody/rov_camera@1").err, "found no vehicle nobody"));
+  EXPECT_TRUE(contains(seeing(vehicle + "/no_eye@1").err, "rov_camera"));
+  const ProgramResult without =
+      made_->run({"simulate", path("laid_out.yaml"), "--see", vehicle + "/rov_camera@0.02"});
+  EXPECT_TRUE(contains(without.err, "--out")) << without.err;
+}
+
 TEST_F(RenderCommand, LabelsWhatWasPlantedAsDetectReadsIt) {
   const ProgramResult run = made_->run({"render", path("run.nc"), "--sensor", "rov_camera",
                                         "--every", "40s", "--out", path("labelled")});
@@ -152,6 +178,48 @@ TEST_F(RenderCommand, LabelsWhatWasPlantedAsDetectReadsIt) {
       made_->run({"detect", "--score", path("labelled"), "--by", "corrosion_by_colour", "--json"});
   ASSERT_EQ(score.exit_code, 0) << score.err;
   EXPECT_EQ(json::parse(score.out).at("pictures"), labels.at("images").size());
+}
+
+std::size_t times_in(const std::string& text, const std::string& part) {
+  std::size_t times = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++times;
+  return times;
+}
+
+TEST_F(RenderCommand, TellsWhatADetectorFindsOnTheRun) {
+  const ProgramResult run =
+      made_->run({"render", path("run.nc"), "--sensor", "rov_camera", "--every", "20s", "--out",
+                  path("looked_at"), "--by", "corrosion_by_colour", "--html", path("seen.html"),
+                  "--findings", path("found.geojson"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json told = json::parse(run.out);
+  const json& detected = told.at("detected");
+  EXPECT_EQ(detected.at("by"), "corrosion_by_colour");
+  const json& rust = detected.at("kinds")[0];
+  EXPECT_EQ(rust.at("of"), "corrosion");
+  std::set<json> in_view;
+  for (const json& frame : told.at("frames"))
+    for (const json& defect : frame.at("defects"))
+      if (defect.at("pixels") >= 25) in_view.insert(defect.at("number"));
+  EXPECT_EQ(rust.at("in_view"), in_view.size());
+  EXPECT_GT(in_view.size(), 0U);
+  EXPECT_LE(rust.at("found"), rust.at("in_view"));
+  std::size_t false_alarms = 0;
+  for (const json& one : detected.at("findings")) {
+    false_alarms += one.at("defect").is_null() ? 1 : 0;
+    EXPECT_TRUE(contains(one.at("surface").get<std::string>(), "T1")) << one;
+    EXPECT_LT(one.at("position_enu_m")[2], -3) << one;
+  }
+  EXPECT_EQ(rust.at("false_alarms"), false_alarms);
+  const json map = json::parse(bytes_of(path("found.geojson")));
+  EXPECT_EQ(map.at("features").size(), detected.at("findings").size());
+  const std::string page = bytes_of(path("seen.html"));
+  EXPECT_EQ(times_in(page, "<figure>"), told.at("frames").size());
+  EXPECT_EQ(times_in(page, "data:image/jpeg;base64,/9j/"), told.at("frames").size());
+  std::size_t shown = 0;
+  for (const json& frame : told.at("frames")) shown += frame.at("defects").size();
+  EXPECT_EQ(times_in(page, "class=\"truth\""), shown);
 }
 
 TEST_F(RenderCommand, TheSameMomentIsTheSameBytes) {
@@ -240,6 +308,12 @@ TEST_F(RenderCommand, SaysWhatIsWrongInOneLine) {
   EXPECT_TRUE(contains(said({"--sensor", "uav_camera", "--at", "3s"}), "--vehicle"));
   EXPECT_TRUE(
       contains(said({"--sensor", "rov_camera", "--at", "3s", "--water", "mud"}), "coastal_3"));
+  EXPECT_TRUE(contains(said({"--sensor", "rov_camera", "--at", "3s", "--html", path("a.html")}),
+                       "name one with --by"));
+  EXPECT_TRUE(contains(
+      said({"--sensor", "imaging_sonar", "--at", "3s", "--by", "corrosion_by_colour"}), "camera"));
+  EXPECT_TRUE(contains(said({"--sensor", "rov_camera", "--at", "3s", "--by", "nobody"}),
+                       "corrosion_by_colour"));
   // A disk that takes nothing: no half of a file is left.
   std::filesystem::create_directories(path("full/rov_camera_000003.000.nc/in_the_way"));
   const ProgramResult full = made_->run(

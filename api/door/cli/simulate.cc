@@ -12,6 +12,7 @@
 #include "api/door/cli/progress.h"
 #include "api/door/cli/recorded_run.h"
 #include "api/door/cli/run_print.h"
+#include "api/door/cli/see_by_sensors.h"
 #include "api/log/log_csv.h"
 #include "api/show/coverage/findings_file.h"
 #include "api/show/rehearse/run_page.h"
@@ -37,6 +38,7 @@ struct SimulateArguments {
   std::filesystem::path checkpoint;
   std::string checkpoint_at;
   std::filesystem::path restore;
+  std::vector<std::string> see;  ///< VEHICLE/SENSOR@RATE
 };
 
 /// Set by SIGINT and SIGTERM while a run has a checkpoint to leave behind.
@@ -97,6 +99,8 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
   const ScenarioAtHand at_hand = scenario_at_hand(arguments.scenario, context.store_folder);
   const twin::Scenario& scenario = at_hand.scenario;
   const ScenarioWater& water = at_hand.water;
+  const std::vector<live::SensorAsked> sensors =
+      sensors_to_see(arguments.see, arguments.out, scenario);
   ProgressBar progress("simulate " + scenario.name, context.json);
   const ScenarioResult result = with_context(arguments.scenario.string(), [&] {
     return run_scenario(scenario, water, choice, [&](double share) { progress.update(share); });
@@ -120,9 +124,12 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
   if (!context.json) {
     print_run(result, arguments.out);
     for (const std::string& line : again.words) std::printf("%s\n", line.c_str());
+    (void)see_by_sensors(sensors, {arguments.out, arguments.threads}, context);
     return;
   }
-  const json out = run_json(result, scenario.name, water, arguments.out);
+  json out = run_json(result, scenario.name, water, arguments.out);
+  if (!sensors.empty())
+    out["seen"] = see_by_sensors(sensors, {arguments.out, arguments.threads}, context);
   std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
 }
 
@@ -211,6 +218,9 @@ void add_simulate(CLI::App& app, Context& context) {
   command->add_option("scenario", arguments->scenario, "YAML file")->required();
   command->add_option("--out", arguments->out, "log as FILE.nc (CF trajectories)");
   command->add_option("--html", arguments->html, "page of plots as FILE.html");
+  command->add_option("--see", arguments->see,
+                      "VEHICLE/SENSOR@RATE: what a sensor of data/sensors on it saw, RATE times a "
+                      "second, in a folder beside the log; repeatable");
   command->add_option("--csv", arguments->csv,
                       "log as FILE.csv, a row a vehicle and time; its lists as FILE-NAME.csv");
   add_findings_options(*command, arguments->findings, arguments->shows_truth);

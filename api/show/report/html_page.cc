@@ -107,7 +107,7 @@ std::string page_html(const HtmlPage& page, std::string_view plotting_library) {
     out +=
         "<noscript><p class=\"headline degraded\">The plots need JavaScript; the tables below do "
         "not.</p></noscript>\n";
-  } else {
+  } else if (!page.is_without_plots) {
     out +=
         "<p class=\"headline degraded\">This page has no plots: the plotting library was not at "
         "hand when the program was built (npm could not fetch it). The numbers are in the "

@@ -28,9 +28,10 @@ struct HtmlPage {
   std::string headline;  ///< the sentence to read first; may be empty
   std::string alarm;     ///< in bold before the headline, which then is coloured; may be empty
   std::vector<std::pair<std::string, std::string>> facts;
-  std::string first_html;   ///< what is read before all else; escaped already
-  std::string plots_html;   ///< sections of plots, escaped already
-  std::string tables_html;  ///< sections of tables, escaped already
+  std::string first_html;         ///< what is read before all else; escaped already
+  std::string plots_html;         ///< sections of plots, escaped already
+  std::string tables_html;        ///< sections of tables, escaped already
+  bool is_without_plots = false;  ///< it needs none, and no library for them
   /// What stands in the tables' place before them where there are no plots, escaped already.
   std::string instead_of_plots_html;
   std::vector<std::string> attributions;

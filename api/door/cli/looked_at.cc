@@ -1,0 +1,68 @@
+#include "api/door/cli/looked_at.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "fields/base/error.h"
+#include "fields/base/text.h"
+
+namespace slackwater::api {
+namespace {
+
+std::unique_ptr<Detector> detector_for(const std::string& by, const RenderedRun& run) {
+  if (!run.sensor().is_camera())
+    throw Error(ErrorKind::usage, "--by: found the sensor " + run.sensor().name +
+                                      ", expected a camera: detectors read its pictures");
+  return load_detector(by);
+}
+
+}  // namespace
+
+LookedAt::LookedAt(const std::string& by, const RenderedRun& run, const std::string& sensor,
+                   bool keeps_pictures)
+    : detector_(detector_for(by, run)),
+      finds_(detector_->kinds()),
+      who_{std::filesystem::path(by).stem().string(), sensor, run.vehicle(), run.origin()},
+      title_(run.title()),
+      keeps_pictures_(keeps_pictures) {}
+
+void LookedAt::add(const RenderView& view) {
+  const twin::Picture& picture = std::get<CameraView>(view.seen).picture;
+  finds_.add(view, detector_->find(picture));
+  if (keeps_pictures_) thumbnails_.push_back(thumbnail_of(picture));
+}
+
+std::string LookedAt::words() const {
+  std::string out =
+      formatted("{}: {}\n", who_.detector, counted(finds_.findings().size(), "finding"));
+  for (const KindFound& kind : finds_.score())
+    out += formatted("  {:12} {} of {} planted in view found, {}\n", kind.of, kind.found,
+                     kind.in_view, counted(kind.false_alarms, "false alarm"));
+  return out;
+}
+
+nlohmann::json LookedAt::json() const {
+  using Json = nlohmann::json;
+  Json out = {{"by", who_.detector}, {"kinds", Json::array()}, {"findings", Json::array()}};
+  for (const KindFound& kind : finds_.score())
+    out["kinds"].push_back({{"of", kind.of},
+                            {"in_view", kind.in_view},
+                            {"found", kind.found},
+                            {"false_alarms", kind.false_alarms}});
+  for (const RunFinding& one : finds_.findings())
+    out["findings"].push_back({{"of", one.of},
+                               {"surface", one.surface},
+                               {"position_enu_m", {one.place_m.y, one.place_m.x, -one.place_m.z}},
+                               {"size_m", one.size_m},
+                               {"range_m", one.range_m},
+                               {"confidence", one.confidence},
+                               {"time", format_utc(one.time)},
+                               {"pictures", one.pictures},
+                               {"defect", one.defect ? Json(*one.defect) : Json(nullptr)}});
+  return out;
+}
+
+std::string LookedAt::page() const { return seen_page(finds_, thumbnails_, who_, title_); }
+std::string LookedAt::geojson() const { return found_geojson(finds_, who_, true); }
+
+}  // namespace slackwater::api

@@ -1,0 +1,66 @@
+#include "api/door/cli/see_by_sensors.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "api/ask/render/rendered_run.h"
+#include "api/door/cli/progress.h"
+#include "api/door/cli/rendered_files.h"
+#include "api/program/paths.h"
+#include "fields/base/error.h"
+
+namespace slackwater::api {
+
+std::vector<live::SensorAsked> sensors_to_see(const std::vector<std::string>& texts,
+                                              const std::filesystem::path& log,
+                                              const twin::Scenario& scenario) {
+  if (!texts.empty() && log.empty())
+    throw Error(ErrorKind::usage,
+                "--see: looks at the log of the run; say where it is to be, by --out");
+  std::vector<live::SensorAsked> asked;
+  for (const std::string& text : texts) {
+    asked.push_back(live::sensor_asked(text));
+    const auto& vehicles = scenario.vehicles;
+    const bool is_there = std::any_of(
+        vehicles.begin(), vehicles.end(),
+        [&](const twin::ScenarioVehicle& one) { return one.name == asked.back().vehicle; });
+    with_context("--see " + text, [&] {
+      if (!is_there)
+        throw Error(ErrorKind::not_found, "found no vehicle " + asked.back().vehicle +
+                                              " in the scenario, expected one of its names");
+      (void)twin::read_named_render_sensor(asked.back().sensor, data_folder());
+    });
+  }
+  return asked;
+}
+
+nlohmann::json see_by_sensors(const std::vector<live::SensorAsked>& sensors, const SeenLog& of,
+                              const Context& context) {
+  nlohmann::json seen = nlohmann::json::array();
+  for (const live::SensorAsked& asked : sensors) {
+    const std::string name = asked.vehicle + "/" + asked.sensor;
+    with_context("--see " + name, [&] {
+      RenderChoice choice;
+      choice.log = of.log;
+      choice.sensor = asked.sensor;
+      choice.vehicle = asked.vehicle;
+      choice.threads = static_cast<int>(std::min<std::size_t>(of.threads, 64));
+      const RenderedRun run(choice, context.store_folder);
+      std::filesystem::path folder = of.log;
+      folder.replace_filename(of.log.stem().string() + "-" + asked.vehicle + "-" + asked.sensor);
+      RenderedFiles files(run, asked.sensor, folder);
+      const std::vector<double> times_s = moments_each(1 / asked.rate_hz, run, "--see");
+      ProgressBar progress("see " + name, context.json);
+      for (std::size_t i = 0; i < times_s.size(); ++i) {
+        files.add(run.view_at(times_s[i]));
+        progress.update(static_cast<double>(i + 1) / static_cast<double>(times_s.size()));
+      }
+      files.finish();
+      if (!context.json) std::printf("%s", files.words().c_str());
+      seen.push_back(files.json());
+    });
+  }
+  return seen;
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "api/door/cli/command.h"
+#include "api/door/live/sensor_asked.h"
+#include "twin/scenario/scenario.h"
+
+namespace slackwater::api {
+
+/// `simulate --see`: sensors that look at a run once its log is there.
+/// @param texts  VEHICLE/SENSOR@RATE
+/// @param log    of the run, to be
+/// @throws Error(usage) without a log; Error(not_found), Error(invalid_input) for a vehicle or a
+///         sensor that is not there, before the run is made
+[[nodiscard]] std::vector<live::SensorAsked> sensors_to_see(const std::vector<std::string>& texts,
+                                                            const std::filesystem::path& log,
+                                                            const twin::Scenario& scenario);
+
+struct SeenLog {
+  const std::filesystem::path& log;
+  std::size_t threads = 1;
+};
+/// What they saw, each in a folder beside the log, LOG-VEHICLE-SENSOR: the files of `render`. Says
+/// so, unless JSON is asked for. @return that JSON, one of each
+nlohmann::json see_by_sensors(const std::vector<live::SensorAsked>& sensors, const SeenLog& of,
+                              const Context& context);
+
+}  // namespace slackwater::api
