@@ -8,4 +8,10 @@ namespace slackwater {
 /// glibc nothing is done.
 void give_back_spare_memory() noexcept;
 
+/// From now on memory that is freed at the end of a thread's own heap goes back to the system once
+/// there are 8 MB of it, and blocks of 32 MB and more at once. Without this glibc raises both marks
+/// by itself, up to 64 MB a thread, after the first large block is freed, and
+/// `give_back_spare_memory` does not reach the ends of threads' heaps (mallopt(3), "Note").
+void hold_little_spare_memory() noexcept;
+
 }  // namespace slackwater

@@ -19,6 +19,7 @@
 #include "api/program/paths.h"
 #include "api/program/version.h"
 #include "fields/base/log.h"
+#include "fields/base/spare_memory.h"
 
 namespace slackwater::api {
 namespace {
@@ -127,6 +128,7 @@ http::Limits limits_for(std::size_t sessions_at_once) {
 }
 
 void run_serve(const ServeArguments& arguments, const Context& context) {
+  hold_little_spare_memory();
   const std::string base_url = checked_base(arguments.base_url);
   const Freshness freshness =
       freshness_from(arguments.stale_after, clock_from(arguments.at, context));

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "fields/base/spare_memory.h"
 #include "tests/support/temporary_folder.h"
 
 namespace slackwater::tests::kept_answers_test {
@@ -80,6 +81,28 @@ double resident_mb() {
   double all = 0, resident = 0;
   statm >> all >> resident;
   return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+/// Frees a large block first, after which glibc would keep up to twice as much at the end of
+/// a thread's heap, where no trimming reaches.
+TEST(KeptAnswersOfTheDesk, DoNotKeepTheEndOfAHeap) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer's heap keeps what was freed, to tell who uses it";
+#endif
+  hold_little_spare_memory();
+  const TemporaryFolder folder;
+  KeptAnswers kept(folder / "store", folder / "data", [] { return UtcTime(); });
+  const double before_mb = resident_mb();
+  std::thread asker([&] {
+    (void)kept.answer("a question", [&] {
+      std::vector<std::string> block(1, std::string(30'000'000, 'x'));
+      block.clear();
+      const std::vector<std::string> pieces(50'000, std::string(1000, 'x'));
+      return said(pieces.back().substr(0, 5));
+    });
+  });
+  asker.join();
+  EXPECT_LT(resident_mb(), before_mb + 15);
 }
 
 /// Four at once, each of which takes 60 MB in small pieces to make a short answer, and leaves a
