@@ -128,6 +128,19 @@ TEST_F(StageCommand, ADetectorsCurveIsOneThatAnInspectionReads) {
   EXPECT_NEAR(curve.x0, pod.at("x0_m").at("value").get<double>(), 1e-3 * curve.x0);
 }
 
+/// Looks of seeds that it did not learn from; how well it does on a stage that it never saw is
+/// measured by tests/soak/learn_looks.
+TEST_F(StageCommand, TheShippedDetectorFindsRustInThem) {
+  const ProgramResult scored =
+      made_->run({"detect", "--score", made_->path("looks"), "--by", "rust_and_cracks", "--json"});
+  ASSERT_EQ(scored.exit_code, 0) << scored.err;
+  const json kinds = json::parse(scored.out).at("kinds");
+  ASSERT_EQ(kinds.size(), 2U);
+  EXPECT_EQ(kinds[0].at("of"), "corrosion");
+  EXPECT_GE(kinds[0].at("ap50").at("value"), 0.85) << kinds[0];
+  EXPECT_GE(kinds[1].at("ap50").at("value"), 0.7) << kinds[1];
+}
+
 TEST_F(StageCommand, RefusesInOneLine) {
   const ProgramResult unknown =
       made_->run({"stage", "pile_by_rof", "--looks", "3", "--out", made_->path("none")});

@@ -5,8 +5,8 @@ from torch.nn import functional
 
 from network import STRIDES
 
-# Boxes whose longer side is up to this are answered by the stride of 8, longer ones by that of 16; between the two by both.
-SMALL_PX, LARGE_PX = 96, 48
+# Boxes whose longer side is between these are answered by the strides of 8, 16 and 32; some by two of them.
+LONG_PX = {8: (0, 80), 16: (48, 192), 32: (128, float("inf"))}
 
 
 def points_of(head, stride):
@@ -20,7 +20,7 @@ def answers(boxes, labels, points, stride):
     if len(boxes) == 0:
         return torch.full((len(points),), -1)
     longest = (boxes[:, 2:] - boxes[:, :2]).amax(1)
-    is_ours = longest <= SMALL_PX if stride == STRIDES[0] else longest > LARGE_PX
+    is_ours = (longest > LONG_PX[stride][0]) & (longest <= LONG_PX[stride][1])
     middle = (boxes[:, :2] + boxes[:, 2:]) / 2
     away = (points[:, None] - middle[None]).abs()
     # A cell and a half about the middle, and in the box; of a box thinner than a cell, the cells that it crosses.
@@ -33,12 +33,12 @@ def answers(boxes, labels, points, stride):
 
 
 def focal(logits, wanted):
-    """Lin et al. (2017), with alpha 0.25 and gamma 2."""
+    """Lin et al. (2017), with alpha 0.25 and gamma 2, of each logit."""
     share = logits.sigmoid()
     cross = functional.binary_cross_entropy_with_logits(logits, wanted, reduction="none")
     missed = share * (1 - wanted) + (1 - share) * wanted
     weight = 0.25 * wanted + 0.75 * (1 - wanted)
-    return (weight * missed.pow(2) * cross).sum()
+    return weight * missed.pow(2) * cross
 
 
 def overlap_loss(sides, wanted):
@@ -51,14 +51,19 @@ def overlap_loss(sides, wanted):
 
 
 def loss(heads, boxes, labels, kinds):
+    """labels: the number of a kind; -1: there may be something, and no answer is wrong there."""
     of_kinds, of_boxes, many = 0.0, 0.0, 0
     for head, stride in zip(heads, STRIDES):
         points = points_of(head, stride)
         for nth in range(len(boxes)):
             flat = head[nth].flatten(1).t()
             nearest = answers(boxes[nth], labels[nth], points, stride)
-            wanted = torch.zeros(len(points), kinds)
+            wanted, counts = torch.zeros(len(points), kinds), torch.ones(len(points), 1)
             hit = nearest >= 0
+            if hit.any():
+                is_told = labels[nth][nearest.clamp(min=0)] >= 0
+                counts[hit & ~is_told] = 0
+                hit &= is_told
             if hit.any():
                 of = boxes[nth][nearest[hit]]
                 wanted[hit, labels[nth][nearest[hit]]] = 1
@@ -67,5 +72,5 @@ def loss(heads, boxes, labels, kinds):
                 to = torch.cat([at - of[:, :2], of[:, 2:] - at], 1).clamp(min=0.25)
                 of_boxes = of_boxes + overlap_loss(flat[hit, kinds:].clamp(max=8).exp() * stride, to)
                 many += int(hit.sum())
-            of_kinds = of_kinds + focal(flat[:, :kinds], wanted)
+            of_kinds = of_kinds + (counts * focal(flat[:, :kinds], wanted)).sum()
     return (of_kinds + 1.5 * of_boxes) / max(1, many)

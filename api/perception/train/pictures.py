@@ -16,7 +16,7 @@ def sides_of(box):
 
 
 class Pictures:
-    """All pictures of the folders, in memory. kinds: names in the order of the network's logits."""
+    """All pictures of the folders, in memory. kinds: names in the order of the network's logits. A label of -1: a crowd."""
 
     def __init__(self, folders, kinds):
         self.pixels, self.boxes, self.labels = [], [], []
@@ -27,9 +27,10 @@ class Pictures:
             nth = {c["id"]: kinds.index(c["name"]) for c in read["categories"] if c["name"] in kinds}
             of = {image["id"]: [] for image in read["images"]}
             for one in read["annotations"]:
-                if one["category_id"] in nth and not one.get("iscrowd", 0):
+                if one["category_id"] in nth:
                     left, top, wide, high = one["bbox"]
-                    of[one["image_id"]].append([left, top, left + wide, top + high, nth[one["category_id"]]])
+                    label = -1 if one.get("iscrowd", 0) else nth[one["category_id"]]
+                    of[one["image_id"]].append([left, top, left + wide, top + high, label])
             for image in read["images"]:
                 file = folder / image["file_name"]
                 file = file if file.exists() else folder / "images" / image["file_name"]
@@ -42,27 +43,32 @@ class Pictures:
         return len(self.pixels)
 
     def crop(self, rng, side):
-        """A square of one picture; of a picture with labels, two times in three about one of them."""
+        """A square of one picture, one time in three at half its scale; of a picture with labels, two times in three about one."""
         nth = int(rng.integers(len(self)))
         pixels, boxes, labels = self.pixels[nth], self.boxes[nth].copy(), self.labels[nth]
+        scale = 2 if rng.random() < 1 / 3 else 1
+        taken = side * scale
         high, wide = pixels.shape[:2]
-        if high < side or wide < side:
-            room = np.zeros((max(high, side), max(wide, side), 3), np.uint8)
+        if high < taken or wide < taken:
+            room = np.zeros((max(high, taken), max(wide, taken), 3), np.uint8)
             room[:high, :wide] = pixels
             pixels, (high, wide) = room, room.shape[:2]
-        left, top = rng.integers(0, wide - side + 1), rng.integers(0, high - side + 1)
-        if len(boxes) and rng.random() < 2 / 3:
-            about = boxes[int(rng.integers(len(boxes)))]
-            middle = (about[:2] + about[2:]) / 2 + rng.uniform(-0.4, 0.4, 2) * side
-            left = int(np.clip(middle[0] - side / 2, 0, wide - side))
-            top = int(np.clip(middle[1] - side / 2, 0, high - side))
-        cut = pixels[top : top + side, left : left + side].astype(np.float32) / 255
+        left, top = rng.integers(0, wide - taken + 1), rng.integers(0, high - taken + 1)
+        told = np.flatnonzero(labels >= 0)
+        if len(told) and rng.random() < 2 / 3:
+            about = boxes[told[int(rng.integers(len(told)))]]
+            middle = (about[:2] + about[2:]) / 2 + rng.uniform(-0.4, 0.4, 2) * taken
+            left = int(np.clip(middle[0] - taken / 2, 0, wide - taken))
+            top = int(np.clip(middle[1] - taken / 2, 0, high - taken))
+        cut = pixels[top : top + taken, left : left + taken].astype(np.float32) / 255
         before = sides_of(boxes)
-        boxes = np.clip(boxes - [left, top, left, top], 0, side)
+        boxes = np.clip(boxes - [left, top, left, top], 0, taken)
         after = sides_of(boxes)
         # What is left of a box has to be a good part of it, or nobody could tell what it is.
-        kept = (after[0] * after[1] > 0.35 * before[0] * before[1]) & (after[0] > 2) & (after[1] > 2)
-        boxes, labels = boxes[kept], labels[kept]
+        kept = (after[0] * after[1] > 0.35 * before[0] * before[1]) & (after[0] > 2 * scale) & (after[1] > scale)
+        boxes, labels = boxes[kept] / scale, labels[kept]
+        if scale > 1:
+            cut = cut.reshape(side, scale, side, scale, 3).mean((1, 3))
         for axis in (0, 1):
             if rng.random() < 0.5:
                 cut = np.flip(cut, 1 - axis)
@@ -73,9 +79,9 @@ class Pictures:
     def seen_otherwise(cut, rng):
         """Another exposure, another white balance, other noise."""
         gain = np.exp(rng.normal(0, 0.15)) * np.exp(rng.normal(0, 0.05, 3))
-        cut = np.clip(cut, 1e-3, 1) ** np.exp(rng.normal(0, 0.15)) * gain
-        cut = cut + rng.normal(0, abs(rng.normal(0, 0.01)), cut.shape)
-        return np.clip(cut, 0, 1).astype(np.float32)
+        cut = np.clip(cut, 1e-3, 1) ** np.float32(np.exp(rng.normal(0, 0.15))) * gain.astype(np.float32)
+        cut = cut + np.float32(abs(rng.normal(0, 0.01))) * rng.standard_normal(cut.shape, np.float32)
+        return np.clip(cut, 0, 1)
 
 
 def as_input(pixels):

@@ -22,7 +22,7 @@ from loss import loss
 from network import STRIDES, Network, parameters
 from pictures import MEAN, SD, Pictures, as_input, batch
 
-SIDE, BATCH, BEST_RATE = 256, 16, 2e-3
+SIDE, BATCH, BEST_RATE = 352, 8, 2e-3
 PROOF_SEED, PROOF_SIDE, PROOF_NUMBERS = 7, 64, 16
 
 
