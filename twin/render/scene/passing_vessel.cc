@@ -14,10 +14,10 @@ constexpr double draught = 0.05, freeboard = 0.1;  // of the length
 constexpr double still_m_s = 0.2;                  // slower ones swing at anchor
 
 Rotation<double> upright(const Triple<double>& velocity_m_s) {
-  const double speed = std::hypot(velocity_m_s.x, velocity_m_s.y);
-  const double c = speed > still_m_s ? velocity_m_s.x / speed : 1;
-  const double s = speed > still_m_s ? velocity_m_s.y / speed : 0;
-  return {{c, -s, 0}, {s, c, 0}, {0, 0, 1}};
+  EulerAngles angles;
+  if (std::hypot(velocity_m_s.x, velocity_m_s.y) > still_m_s)
+    angles.yaw_rad = std::atan2(velocity_m_s.y, velocity_m_s.x);
+  return rotation_of(attitude_of(angles));
 }
 
 }  // namespace

@@ -125,13 +125,8 @@ TriangleMesh hull_mesh(VehicleKind kind, const Triple<double>& size_m,
     rings = box_rings(half);
   for (Ring& ring : rings)
     for (Triple<double>& at : ring) at = body.to_ned(at);
-  return closed_mesh(position_m, rings);
-}
-
-TriangleMesh closed_mesh(const Triple<double>& origin_m,
-                         const std::vector<std::vector<Triple<double>>>& rings) {
   TriangleMesh mesh;
-  mesh.origin_m = origin_m;
+  mesh.origin_m = position_m;
   add_rings(mesh, rings);
   return mesh;
 }

@@ -18,11 +18,6 @@ namespace slackwater::twin {
                                      const Triple<double>& position_m,
                                      const Rotation<double>& body);
 
-/// A closed body about rings of as many corners each, from its origin, clockwise as seen along the
-/// way from the first to the last.
-[[nodiscard]] TriangleMesh closed_mesh(const Triple<double>& origin_m,
-                                       const std::vector<std::vector<Triple<double>>>& rings);
-
 /// A level bed: squares of `square_m` up to `reach_m` north and east of a place, but for those
 /// whose corner is within one of the discs, where something else shows the bed.
 struct LevelDisc {

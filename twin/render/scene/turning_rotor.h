@@ -19,9 +19,10 @@ struct RunningTurbine {
 /// below cut-in and above cut-out. Estimates of how pitch-regulated turbines of some megawatts run.
 [[nodiscard]] double rotor_speed_rad_s(const Turbine& turbine, double wind_m_s) noexcept;
 
-/// Its tower, nacelle and three blades (things of these classes), the rotor upwind, as far round as
-/// it would be had the wind been as it is now from t = 0 on: the wind's own changes do not show in
-/// how it turns. Sizes in those of the rotor (estimates, about those of the NREL 5 MW turbine).
+/// Its nacelle, its three blades and, where its foundation ends below it, its tower. They are the
+/// surfaces of an inspection (make_surface.h) in their usual sizes, the rotor upwind, as far round
+/// as it would be had the wind been as it is now from t = 0 on: the wind's own changes do not show
+/// in how it turns.
 /// @param name  "turbine 3"
 [[nodiscard]] std::vector<SeenThing> seen_turbine(const Turbine& turbine,
                                                   const RunningTurbine& running, double t_s,
