@@ -25,7 +25,6 @@ void write_png(const std::filesystem::path& file, int wide, int high, int values
     image.width = static_cast<png_uint_32>(wide);
     image.height = static_cast<png_uint_32>(high);
     image.format = values_of_pixel == 3 ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
-    image.flags = PNG_IMAGE_FLAG_FAST;  // a camera's noise packs no closer for more work
     const bool is_written =
         png_image_write_to_file(&image, partial.c_str(), 0, values.data(), 0, nullptr) != 0;
     const std::string problem = is_written ? "" : image.message;
