@@ -19,6 +19,10 @@ struct PixelBox {
 /// What two boxes have in common, of what they cover together: 0 apart, 1 equal.
 [[nodiscard]] double overlap(const PixelBox& a, const PixelBox& b) noexcept;
 
+/// A find that shares at least so much with what is there sends somebody to the right place: the
+/// half that AP50 asks for is asked of who draws boxes.
+inline constexpr double least_shared_to_be_found = 0.2;
+
 /// What a detector believes to see.
 struct Detection {
   std::string of;         ///< "corrosion"

@@ -10,8 +10,6 @@
 namespace slackwater::api {
 namespace {
 
-constexpr double least_shared = 0.2;
-
 bool holds(const PixelBox& box, double u, double v) {
   return u >= box.left && u <= box.right && v >= box.top && v <= box.bottom;
 }
@@ -69,7 +67,7 @@ class OfOneKind {
             ? picture.found.end()
             : std::find_if(picture.found.begin(), picture.found.end(), [&](const Detection& one) {
                 return one.of == name_ && holds(one.box, planted.u, planted.v) &&
-                       overlap(one.box, label->box) >= least_shared;
+                       overlap(one.box, label->box) >= least_shared_to_be_found;
               });
     if (find != picture.found.end()) {
       search.is_found = true;
@@ -89,7 +87,7 @@ class OfOneKind {
   [[nodiscard]] bool is_false_alarm(const Detection& find, const ScoredPicture& picture) const {
     return std::none_of(picture.labels.begin(), picture.labels.end(), [&](const Label& label) {
       if (label.of != name_) return false;
-      return overlap(find.box, label.box) >= least_shared ||
+      return overlap(find.box, label.box) >= least_shared_to_be_found ||
              (label.is_crowd && holds(find.box, 0.5 * (label.box.left + label.box.right),
                                       0.5 * (label.box.top + label.box.bottom)));
     });

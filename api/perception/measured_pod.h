@@ -30,8 +30,8 @@ struct MeasuredPod {
 /// A planted defect counts as found where a find of its kind has its centre within its box, and
 /// overlaps the label by at least a fifth: enough to send somebody to the place, and not the box
 /// about half of the picture. One that shows on no pixel is found by nobody. A find that overlaps
-/// no label of its kind by a fifth is a false alarm, but for finds on what is too small to be told
-/// (fewer than 25 pixels): they count neither way.
+/// no label of its kind by a fifth is a false alarm, but for finds on what nobody could tell (a
+/// crowd, picture_labels.h): they count neither way.
 ///
 /// `at_detail` is the detail that a tenth of the looks undercut. A better look counts as one of
 /// that detail, a worse one shrinks the defect (`probability_of_detection`).

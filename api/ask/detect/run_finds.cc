@@ -8,12 +8,10 @@
 #include "fields/base/check.h"
 #include "twin/inspection/defect/defect_kind.h"
 #include "twin/render/frame/pinhole.h"
-#include "twin/render/light/mark_share.h"
+#include "twin/render/frame/pixel_footprint.h"
 
 namespace slackwater::api {
 namespace {
-
-constexpr double least_shared = 0.2;  // as measured_pod.h
 
 std::vector<ShownDefect> shown_in(const RenderView& view, const twin::TruthFrame& truth) {
   std::vector<ShownDefect> by_number(view.defects.size());
@@ -98,7 +96,7 @@ class PlacesOfView {
     double most = 0;
     for (const ShownDefect& defect : shown_) {
       const double shared = defect.of == find.of ? overlap(find.box, defect.box) : 0;
-      if (shared < least_shared || shared <= most) continue;
+      if (shared < least_shared_to_be_found || shared <= most) continue;
       most = shared;
       placed.defect = defect.number;
     }

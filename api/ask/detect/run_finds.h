@@ -15,7 +15,7 @@ struct PlacedFind {
   twin::Triple<double> place_m;  ///< NED of the run
   double range_m = 0;
   double size_m = 0;
-  /// Of the run: the planted one of its kind whose outline it overlaps most, at least by a fifth.
+  /// Of the run: the planted one of its kind that it overlaps most (least_shared_to_be_found).
   std::optional<std::uint32_t> defect;
 };
 
