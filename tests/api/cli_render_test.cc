@@ -191,7 +191,7 @@ TEST_F(RenderCommand, TellsWhatADetectorFindsOnTheRun) {
   const ProgramResult run =
       made_->run({"render", path("run.nc"), "--sensor", "rov_camera", "--every", "20s", "--out",
                   path("looked_at"), "--by", "corrosion_by_colour", "--html", path("seen.html"),
-                  "--findings", path("found.geojson"), "--json"});
+                  "--findings", path("found.geojson"), "--truth", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const json told = json::parse(run.out);
   const json& detected = told.at("detected");
@@ -213,7 +213,11 @@ TEST_F(RenderCommand, TellsWhatADetectorFindsOnTheRun) {
   }
   EXPECT_EQ(rust.at("false_alarms"), false_alarms);
   const json map = json::parse(bytes_of(path("found.geojson")));
-  EXPECT_EQ(map.at("features").size(), detected.at("findings").size());
+  ASSERT_EQ(map.at("features").size(), detected.at("findings").size());
+  std::size_t said_false = 0;
+  for (const json& feature : map.at("features"))
+    said_false += feature.at("properties").at("truth") == "false alarm" ? 1 : 0;
+  EXPECT_EQ(said_false, false_alarms);
   const std::string page = bytes_of(path("seen.html"));
   EXPECT_EQ(times_in(page, "<figure>"), told.at("frames").size());
   EXPECT_EQ(times_in(page, "data:image/jpeg;base64,/9j/"), told.at("frames").size());
@@ -310,6 +314,9 @@ TEST_F(RenderCommand, SaysWhatIsWrongInOneLine) {
       contains(said({"--sensor", "rov_camera", "--at", "3s", "--water", "mud"}), "coastal_3"));
   EXPECT_TRUE(contains(said({"--sensor", "rov_camera", "--at", "3s", "--html", path("a.html")}),
                        "name one with --by"));
+  EXPECT_TRUE(contains(said({"--sensor", "rov_camera", "--at", "3s", "--by", "corrosion_by_colour",
+                             "--findings", path("a.txt")}),
+                       ".geojson"));
   EXPECT_TRUE(contains(
       said({"--sensor", "imaging_sonar", "--at", "3s", "--by", "corrosion_by_colour"}), "camera"));
   EXPECT_TRUE(contains(said({"--sensor", "rov_camera", "--at", "3s", "--by", "nobody"}),

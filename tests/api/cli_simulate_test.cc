@@ -117,8 +117,8 @@ TEST_F(SimulateCommand, ALogThatWasTouchedDoesNotReplayAndSaysWhere) {
 
 TEST_F(SimulateCommand, RunsInAMemberOfAnIssuedForecastAndReplaysInIt) {
   made_.ingest_days(parse_day("2025-03-01"), 3);
-  const ProgramResult issued =
-      made_.run({"forecast", "--site", made_.site(), "--at", "2025-03-04T05:00:00Z"});
+  const ProgramResult issued = made_.run({"forecast", "--site", made_.site(), "--at",
+                                          "2025-03-04T05:00:00Z", "--out", path("issued.nc")});
   ASSERT_EQ(issued.exit_code, 0) << issued.err;
   const std::string yaml =
       "name: tomorrow\nseed: 1\nduration: 2min\nmember: 3\nwater: {forecast: {site: " +
@@ -137,6 +137,15 @@ TEST_F(SimulateCommand, RunsInAMemberOfAnIssuedForecastAndReplaysInIt) {
   const ProgramResult elsewhere =
       run_program({"replay", path("run.nc"), "--store", path("nowhere")});
   EXPECT_EQ(elsewhere.exit_code, 4) << elsewhere.err;
+  // In a file it is at hand, for the run and for what its sensors see.
+  const std::string named = "site: " + made_.site();
+  const std::string from_file =
+      std::string(yaml).replace(yaml.find(named), named.size(), "file: issued.nc");
+  const ProgramResult seen =
+      run_program({"simulate", write("in_file.yaml", from_file), "--out", path("in_file.nc"),
+                   "--see", "auv/echo_sounder@0.02", "--store", path("nowhere"), "--json"});
+  ASSERT_EQ(seen.exit_code, 0) << seen.err;
+  EXPECT_GE(json::parse(seen.out).at("seen")[0].at("frames").size(), 2U);
 }
 
 struct Bad {

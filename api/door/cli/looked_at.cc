@@ -63,6 +63,8 @@ nlohmann::json LookedAt::json() const {
 }
 
 std::string LookedAt::page() const { return seen_page(finds_, thumbnails_, who_, title_); }
-std::string LookedAt::geojson() const { return found_geojson(finds_, who_, true); }
+std::string LookedAt::geojson(bool shows_truth) const {
+  return found_geojson(finds_, who_, shows_truth);
+}
 
 }  // namespace slackwater::api

@@ -28,7 +28,8 @@ class LookedAt {
   [[nodiscard]] nlohmann::json json() const;
   /// Only where it keeps pictures.
   [[nodiscard]] std::string page() const;
-  [[nodiscard]] std::string geojson() const;
+  /// @param shows_truth  whether there is something
+  [[nodiscard]] std::string geojson(bool shows_truth) const;
 
  private:
   std::unique_ptr<Detector> detector_;

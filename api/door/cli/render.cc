@@ -6,6 +6,7 @@
 #include "api/ask/render/rendered_run.h"
 #include "api/door/cli/command.h"
 #include "api/door/cli/looked_at.h"
+#include "api/door/cli/output_file.h"
 #include "api/door/cli/progress.h"
 #include "api/door/cli/rendered_files.h"
 #include "api/door/cli/sight_options.h"
@@ -28,6 +29,7 @@ struct RenderArguments {
   std::string by;  ///< a detector; empty: none
   std::filesystem::path html;
   std::filesystem::path findings;
+  bool shows_truth = false;
 };
 
 /// "12.5s", "5min", "1h30min".
@@ -70,6 +72,8 @@ void expect_detector(const RenderArguments& arguments) {
 
 void run_render(const RenderArguments& arguments, const Context& context) {
   expect_detector(arguments);
+  expect_output("--html", arguments.html, {".html"});
+  expect_output("--findings", arguments.findings, {".geojson"});
   RenderChoice choice = arguments.choice;
   if (!arguments.forecast.empty()) choice.forecast = arguments.forecast;
   const RenderedRun run(choice, context.store_folder);
@@ -91,7 +95,8 @@ void run_render(const RenderArguments& arguments, const Context& context) {
   }
   files.finish();
   if (!arguments.html.empty()) write_page(looked_at->page(), arguments.html);
-  if (!arguments.findings.empty()) write_text(arguments.findings, looked_at->geojson());
+  if (!arguments.findings.empty())
+    write_text(arguments.findings, looked_at->geojson(arguments.shows_truth));
   if (context.json) {
     json out = files.json();
     out["log"] = choice.log.string();
@@ -128,6 +133,8 @@ void add_render(CLI::App& app, Context& context) {
                       "with --by: a page with the pictures, what was found and what is there");
   command->add_option("--findings", arguments->findings,
                       "with --by: what was found, as FILE.geojson");
+  command->add_flag("--truth", arguments->shows_truth,
+                    "with --findings: which of them are false alarms");
   command->add_option("--threads", arguments->choice.threads, "1 to 64 (default 1)")
       ->check(CLI::Range(1, 64));
   command->callback([arguments, &context] { run_render(*arguments, context); });

@@ -44,8 +44,11 @@ nlohmann::json see_by_sensors(const std::vector<live::SensorAsked>& sensors, con
       choice.log = of.log;
       choice.sensor = asked.sensor;
       choice.vehicle = asked.vehicle;
+      choice.forecast = of.forecast;
       choice.threads = static_cast<int>(std::min<std::size_t>(of.threads, 64));
       const RenderedRun run(choice, context.store_folder);
+      for (const std::string& warning : run.warnings())
+        std::fprintf(stderr, "slackwater: %s: %s\n", name.c_str(), warning.c_str());
       std::filesystem::path folder = of.log;
       folder.replace_filename(of.log.stem().string() + "-" + asked.vehicle + "-" + asked.sensor);
       RenderedFiles files(run, asked.sensor, folder);

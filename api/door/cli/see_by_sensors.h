@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace slackwater::api {
                                                             const twin::Scenario& scenario);
 
 struct SeenLog {
-  const std::filesystem::path& log;
+  std::filesystem::path log;
+  std::optional<std::filesystem::path> forecast;  ///< that it ran in, where it is a file
   std::size_t threads = 1;
 };
 /// What they saw, each in a folder beside the log, LOG-VEHICLE-SENSOR: the files of `render`. Says

@@ -88,6 +88,14 @@ twin::Resurvey written_resurvey(const twin::Scenario& scenario, const ScenarioRe
   return again;
 }
 
+/// Nothing where the forecast is of the store, or the water is made up.
+std::optional<std::filesystem::path> forecast_file(const twin::Scenario& scenario,
+                                                   const std::filesystem::path& folder) {
+  const auto* water = std::get_if<twin::ForecastWater>(&scenario.water);
+  if (water == nullptr || water->file.empty()) return std::nullopt;
+  return folder / water->file;  // an absolute one stays what it is
+}
+
 void run_simulate(const SimulateArguments& arguments, const Context& context) {
   expect_output("--out", arguments.out, {".nc"});
   expect_output("--html", arguments.html, {".html"});
@@ -121,15 +129,16 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   print_notes(result.notes);
   const twin::Resurvey again = written_resurvey(scenario, result, arguments.resurvey);
+  const SeenLog seen_log{arguments.out, forecast_file(scenario, arguments.scenario.parent_path()),
+                         arguments.threads};
   if (!context.json) {
     print_run(result, arguments.out);
     for (const std::string& line : again.words) std::printf("%s\n", line.c_str());
-    (void)see_by_sensors(sensors, {arguments.out, arguments.threads}, context);
+    (void)see_by_sensors(sensors, seen_log, context);
     return;
   }
   json out = run_json(result, scenario.name, water, arguments.out);
-  if (!sensors.empty())
-    out["seen"] = see_by_sensors(sensors, {arguments.out, arguments.threads}, context);
+  if (!sensors.empty()) out["seen"] = see_by_sensors(sensors, seen_log, context);
   std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
 }
 
