@@ -8,11 +8,11 @@
 A block is a residual of two 3 x 3 (He et al. 2016, arXiv:1512.03385), the sums a feature pyramid (Lin et al. 2017,
 arXiv:1612.03144). A head says for each of its cells the logits of the kinds and four distances, in logarithms of the stride, from
 its point to the sides of the box (Tian et al. 2019, arXiv:1904.01355). Only operations that OpenCV 4.6 computes as torch does:
-convolutions, ReLU, addition, nearest upsampling. Full convolutions throughout: without a graphics card those of groups take
-longer for a tenth of the products.
+convolutions, ReLU, arithmetic, square roots, nearest upsampling. What learns are full convolutions: without a graphics card the
+way back through those of groups takes longer than it does through them, for a tenth of the products.
 
 Beside its colours the network sees them evened: less their mean about each place, over their standard deviation there. In murky
-water a crack is a hundredth of the light darker than what is about it, and as much darker than the noise as in clear water.
+water a crack may be darker than what is about it by a hundredth of the light, and by more than the noise all the same.
 """
 
 import torch
