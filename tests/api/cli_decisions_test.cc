@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -54,9 +55,17 @@ class DecisionsCommand : public testing::Test {
     const json& of = windows_.at("tasks")[0];
     work_ = std::chrono::round<Duration>(std::chrono::duration<double, std::ratio<3600>>(
         of.at("duration_h").get<double>() + of.at("contingency_h").get<double>()));
+    std::filesystem::copy(made_->store(), made_->file("undecided"),
+                          std::filesystem::copy_options::recursive);
   }
   static void TearDownTestSuite() { made_.reset(); }
-  void SetUp() override { ASSERT_GT(work_.count(), 0); }
+  /// Each test begins where nothing was decided.
+  void SetUp() override {
+    ASSERT_GT(work_.count(), 0);
+    std::filesystem::remove_all(made_->store());
+    std::filesystem::copy(made_->file("undecided"), made_->store(),
+                          std::filesystem::copy_options::recursive);
+  }
 
   static std::string farm() { return made_->path("farm.yaml"); }
   static std::string task() { return made_->path("waves.yaml"); }
