@@ -16,7 +16,11 @@ Scorecard scorecard_of(const ingest::TrajectoryFile& log) {
                 "`rehearse --log` wrote");
   const std::optional<twin::Scenario> scenario = scenario_of(log);
   const twin::Scenario* const plan = scenario ? &*scenario : nullptr;
-  Scorecard card{log.attribute("title"), log.attribute("seed"), account_in(log, plan), {}};
+  Scorecard card;
+  card.run = log.attribute("title");
+  card.seed = log.attribute("seed");
+  card.account = account_in(log, plan);
+  card.detectors = detections_in(log);
   card.people = people_score_of(log, card.account, plan);
   return card;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "api/log/detection_log.h"
 #include "api/log/people_score.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/account/vehicle_account.h"
@@ -16,7 +17,8 @@ struct Scorecard {
   std::string run;  ///< its title
   std::string seed;
   twin::RunAccount account;
-  PeopleScore people;  ///< of a live run in which people took part
+  PeopleScore people;                     ///< of a live run in which people took part
+  std::vector<DetectorRecord> detectors;  ///< that looked at pictures of it
 };
 /// @throws Error(invalid_input) for a log without positions
 [[nodiscard]] Scorecard scorecard_of(const ingest::TrajectoryFile& log);

@@ -122,9 +122,9 @@ TEST_F(RenderCommand, SimulateLeavesWhatItsSensorsSaw) {
                                           "--at", "50s", "--out", path("later"), "--json"});
   ASSERT_EQ(later.exit_code, 0) << later.err;
   const std::string vehicle = json::parse(later.out).at("vehicle");
-  const auto seeing = [&](const std::string& see) {
-    return made_->run(
-        {"simulate", path("laid_out.yaml"), "--out", path("seeing.nc"), "--see", see, "--json"});
+  const auto seeing = [&](const std::string& see, const std::string& by = "corrosion_by_colour") {
+    return made_->run({"simulate", path("laid_out.yaml"), "--out", path("seeing.nc"), "--see", see,
+                       "--by", by, "--html", path("seeing.html"), "--json"});
   };
   const ProgramResult run = seeing(vehicle + "/rov_camera@0.02");
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -134,7 +134,25 @@ TEST_F(RenderCommand, SimulateLeavesWhatItsSensorsSaw) {
   const std::string name = "rov_camera_000050.000";
   EXPECT_EQ(bytes_of(path("seeing-" + vehicle + "-rov_camera/" + name + ".png")),
             bytes_of(path("later/" + name + ".png")));
+  // What a detector found there is told by the log from then on, and the run is the same.
+  const json& detected = seen[0].at("detected");
+  const ProgramResult score = made_->run({"score", path("seeing.nc"), "--json"});
+  ASSERT_EQ(score.exit_code, 0) << score.err;
+  const json card = json::parse(score.out).at("runs")[0].at("vehicles")[0];
+  EXPECT_EQ(card.at("detectors"), json::array({{{"sensor", "rov_camera"},
+                                                {"detector", "corrosion_by_colour"},
+                                                {"pictures", seen[0].at("frames").size()},
+                                                {"kinds", detected.at("kinds")}}}));
+  EXPECT_TRUE(contains(made_->run({"score", path("seeing.nc")}).out,
+                       vehicle + ": corrosion_by_colour in "));
+  const std::string page = bytes_of(path("seeing.html"));
+  EXPECT_TRUE(contains(page, "What detectors found in its pictures"));
+  EXPECT_FALSE(contains(page, "False alarms</th>")) << "that is truth";
+  const ProgramResult replayed = made_->run({"replay", path("seeing.nc")});
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
   EXPECT_TRUE(contains(seeing("nobody/rov_camera@1").err, "found no vehicle nobody"));
+  EXPECT_TRUE(contains(seeing(vehicle + "/imaging_sonar@1").err, "--by: looks at what a camera"));
+  EXPECT_TRUE(contains(seeing(vehicle + "/rov_camera@1", "no_detector").err, "no_detector"));
   EXPECT_TRUE(contains(seeing(vehicle + "/no_eye@1").err, "rov_camera"));
   const ProgramResult without =
       made_->run({"simulate", path("laid_out.yaml"), "--see", vehicle + "/rov_camera@0.02"});
@@ -263,7 +281,7 @@ TEST_F(RenderCommand, LeavesAWaterfallOfPings) {
         Kind{"echo_sounder", "intensity", 0, 1000}, Kind{"adcp", "eastward_velocity", 0, 40}}) {
     const auto seen = [&](const std::string& threads) {
       const ProgramResult run =
-          made_->run({"render", path("run.nc"), "--sensor", kind.sensor, "--every", "20s", "--out",
+          made_->run({"render", path("run.nc"), "--sensor", kind.sensor, "--every", "30s", "--out",
                       path(kind.sensor + threads), "--threads", threads, "--json"});
       EXPECT_EQ(run.exit_code, 0) << run.err;
       return json::parse(run.out);

@@ -89,7 +89,7 @@ const Arrows& allowed_arrows_of_api() {
       {"api/log", {"api/json"}},
       {"api/ask/run", {"api/issued", "api/log", "api/pipeline", "api/program"}},
       {"api/ask/render", {"api/ask/run", "api/log", "api/program"}},
-      {"api/ask/detect", {"api/ask/render", "api/perception"}},
+      {"api/ask/detect", {"api/ask/render", "api/log", "api/perception"}},
       {"api/ask/rehearse", {"api/ask/run", "api/program"}},
       {"api/ask/windows", {"api/ask/rehearse", "api/pipeline", "api/program"}},
       {"api/ask/decisions",

@@ -129,10 +129,10 @@ void RunFinds::add(const RenderView& view, const std::vector<Detection>& found) 
   for (const Detection& find : found)
     if (auto placed = places.placed(find)) picture.finds.push_back(std::move(*placed));
   pictures_.push_back(std::move(picture));
-  for (const PlacedFind& placed : pictures_.back().finds) join(placed);
+  for (PlacedFind& placed : pictures_.back().finds) placed.finding = join(placed);
 }
 
-void RunFinds::join(const PlacedFind& placed) {
+std::size_t RunFinds::join(const PlacedFind& placed) {
   const std::size_t now = pictures_.size() - 1;
   RunFinding* nearest = nullptr;
   double nearest_m = std::numeric_limits<double>::infinity();
@@ -157,7 +157,7 @@ void RunFinds::join(const PlacedFind& placed) {
   mine.defect = placed.defect;
   if (nearest == nullptr) {
     findings_.push_back(std::move(mine));
-    return;
+    return findings_.size() - 1;
   }
   // Two finds of one picture may lie at one place; the picture counts once.
   mine.pictures = nearest->pictures + (nearest->last_picture == now ? 0 : 1);
@@ -166,9 +166,10 @@ void RunFinds::join(const PlacedFind& placed) {
     nearest->pictures = mine.pictures;
     nearest->last_picture = now;
     if (!nearest->defect) nearest->defect = mine.defect;
-    return;
+  } else {
+    *nearest = std::move(mine);
   }
-  *nearest = std::move(mine);
+  return static_cast<std::size_t>(nearest - findings_.data());
 }
 
 std::vector<KindFound> RunFinds::score() const {

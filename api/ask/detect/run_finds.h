@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "api/ask/render/render_view.h"
+#include "api/log/detection_log.h"
 #include "api/perception/detection.h"
 
 namespace slackwater::api {
@@ -15,6 +16,7 @@ struct PlacedFind {
   twin::Triple<double> place_m;  ///< NED of the run
   double range_m = 0;
   double size_m = 0;
+  std::size_t finding = 0;  ///< that it belongs to
   /// Of the run: the planted one of its kind that it overlaps most (least_shared_to_be_found).
   std::optional<std::uint32_t> defect;
 };
@@ -56,14 +58,6 @@ struct RunFinding {
   std::optional<std::uint32_t> defect;  ///< nothing: a false alarm
 };
 
-/// How much of what was there was found, of one kind.
-struct KindFound {
-  std::string of;
-  std::size_t in_view = 0;  ///< planted, and shown by at least `least_pixels` of some picture
-  std::size_t found = 0;    ///< of these
-  std::size_t false_alarms = 0;
-};
-
 /// A run as a detector sees it, picture by picture.
 ///
 /// The middle of a find's box meets a surface; that is its place, and the box's longer side laid
@@ -86,10 +80,12 @@ class RunFinds {
 
   [[nodiscard]] const std::vector<DetectedPicture>& pictures() const noexcept { return pictures_; }
   [[nodiscard]] const std::vector<RunFinding>& findings() const noexcept { return findings_; }
+  /// In view is what some picture shows by at least `least_pixels`.
   [[nodiscard]] std::vector<KindFound> score() const;
 
  private:
-  void join(const PlacedFind& placed);
+  /// @return the finding that it belongs to
+  std::size_t join(const PlacedFind& placed);
 
   std::vector<std::string> kinds_;
   std::vector<DetectedPicture> pictures_;

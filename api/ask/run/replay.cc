@@ -12,6 +12,7 @@
 #include "api/ask/run/log_file.h"
 #include "api/log/action_tables.h"
 #include "api/log/command_tables.h"
+#include "api/log/detection_log.h"
 #include "api/program/version.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -24,9 +25,9 @@ using ingest::TrajectoryFile;
 /// A file beside the log that goes when its owner does.
 class Scratch {
  public:
-  Scratch()
+  explicit Scratch(const std::string& name)
       : path_(std::filesystem::temp_directory_path() /
-              ("slackwater-replay-" + std::to_string(::getpid()) + ".nc")) {}
+              ("slackwater-" + name + "-" + std::to_string(::getpid()) + ".nc")) {}
   ~Scratch() {
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
@@ -116,6 +117,15 @@ RunRecord record_in(const TrajectoryFile& log) {
   return record;
 }
 
+/// Of the run alone, without what detectors found in its pictures.
+std::string bytes_of_run(const std::filesystem::path& log, const TrajectoryFile& was) {
+  TrajectoryFile alone = was;
+  if (!take_off_detections(alone)) return bytes_of(log);
+  const Scratch scratch("replayed");
+  ingest::write_trajectories(alone, scratch.path());
+  return bytes_of(scratch.path());
+}
+
 }  // namespace
 
 ReplayResult replay(const std::filesystem::path& log, const std::filesystem::path& store_folder,
@@ -151,10 +161,10 @@ ReplayResult replay(const std::filesystem::path& log, const std::filesystem::pat
                     "); replay it with the version it is of, " + was.attribute("source"));
   }
   const ScenarioResult again = run_scenario(scenario, water, recorded, on_progress);
-  const Scratch scratch;
+  const Scratch scratch("replay");
   ingest::write_trajectories(again.file, scratch.path());
   ReplayResult result;
-  result.is_identical = bytes_of(log) == bytes_of(scratch.path());
+  result.is_identical = bytes_of_run(log, was) == bytes_of(scratch.path());
   if (!result.is_identical) result.difference = difference_of(was, again.file);
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return result;

@@ -1,8 +1,10 @@
 #include "api/door/cli/looked_at.h"
 
-#include <filesystem>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "api/ask/detect/detector_record.h"
+#include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -30,6 +32,19 @@ void LookedAt::add(const RenderView& view) {
   const twin::Picture& picture = std::get<CameraView>(view.seen).picture;
   finds_.add(view, detector_->find(picture));
   if (keeps_pictures_) thumbnails_.push_back(thumbnail_of(picture));
+}
+
+void LookedAt::record_in(const std::filesystem::path& log) const {
+  ingest::TrajectoryFile file = ingest::read_trajectories(log);
+  const auto ours = std::find(file.names.begin(), file.names.end(), who_.vehicle);
+  expects(ours != file.names.end(), "the log that the pictures are of");
+  const auto vehicle = static_cast<std::size_t>(ours - file.names.begin());
+  with_context(log.string(), [&] {
+    add_detections(detector_record(finds_, vehicle, who_.sensor, who_.detector), file);
+  });
+  write_beside(log, [&](const std::filesystem::path& partial) {
+    ingest::write_trajectories(file, partial);
+  });
 }
 
 std::string LookedAt::words() const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -23,6 +24,10 @@ class LookedAt {
 
   /// The next picture in the order of time.
   void add(const RenderView& view);
+
+  /// Puts what was found into the log of the run, in place of what the same detector found in
+  /// pictures of the same sensor before. @throws Error(unavailable); the log is then as it was
+  void record_in(const std::filesystem::path& log) const;
 
   [[nodiscard]] std::string words() const;
   [[nodiscard]] nlohmann::json json() const;

@@ -30,6 +30,7 @@ struct RenderArguments {
   std::filesystem::path html;
   std::filesystem::path findings;
   bool shows_truth = false;
+  bool records = false;
 };
 
 /// "12.5s", "5min", "1h30min".
@@ -62,6 +63,8 @@ std::vector<double> moments_from(const RenderArguments& arguments, const Rendere
 }
 
 void expect_detector(const RenderArguments& arguments) {
+  if (arguments.by.empty() && arguments.records)
+    throw Error(ErrorKind::usage, "--record: is of what a detector finds; name one with --by");
   for (const auto& [name, file] :
        {std::pair{"--html", &arguments.html}, {"--findings", &arguments.findings}})
     if (arguments.by.empty() && !file->empty())
@@ -97,6 +100,7 @@ void run_render(const RenderArguments& arguments, const Context& context) {
   if (!arguments.html.empty()) write_page(looked_at->page(), arguments.html);
   if (!arguments.findings.empty())
     write_text(arguments.findings, looked_at->geojson(arguments.shows_truth));
+  if (arguments.records) looked_at->record_in(choice.log);
   if (context.json) {
     json out = files.json();
     out["log"] = choice.log.string();
@@ -135,6 +139,8 @@ void add_render(CLI::App& app, Context& context) {
                       "with --by: what was found, as FILE.geojson");
   command->add_flag("--truth", arguments->shows_truth,
                     "with --findings: which of them are false alarms");
+  command->add_flag("--record", arguments->records,
+                    "with --by: into the log, too, where `score` and its page tell it");
   command->add_option("--threads", arguments->choice.threads, "1 to 64 (default 1)")
       ->check(CLI::Range(1, 64));
   command->callback([arguments, &context] { run_render(*arguments, context); });

@@ -8,6 +8,7 @@
 #include "api/show/people/people_score_json.h"
 #include "api/show/people/people_score_text.h"
 #include "api/show/rehearse/account_json.h"
+#include "api/show/rehearse/detections_report.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
@@ -127,6 +128,11 @@ void print_cards(const std::vector<Scorecard>& cards) {
                   card.run.c_str(), v.name.c_str(), 100 * v.inspection->share(),
                   v.inspection->area_m2(), score.all.found, score.missed(), score.all.false_alarms);
     }
+  for (const Scorecard& card : cards)
+    for (std::size_t i = 0; i < card.account.vehicles.size(); ++i) {
+      const std::string whose = card.run + ", " + card.account.vehicles[i].name;
+      std::fputs(detections_text(card.detectors, i, whose).c_str(), stdout);
+    }
   if (cards.size() < 2) return;
   for (const json& vehicle : pooled_json(cards))
     std::printf(
@@ -158,8 +164,10 @@ void run_score(const std::vector<std::filesystem::path>& logs, const Context& co
   for (std::size_t i = 0; i < cards.size(); ++i) {
     json vehicles = json::array();
     const twin::RunAccount& account = cards[i].account;
-    for (const twin::VehicleAccount& vehicle : account.vehicles)
-      vehicles.push_back(score_json(vehicle, account.ran_s));
+    for (std::size_t v = 0; v < account.vehicles.size(); ++v) {
+      vehicles.push_back(score_json(account.vehicles[v], account.ran_s));
+      vehicles.back()["detectors"] = detections_json(cards[i].detectors, v);
+    }
     out["runs"].push_back({{"log", logs[i].string()},
                            {"run", cards[i].run},
                            {"seed", cards[i].seed},

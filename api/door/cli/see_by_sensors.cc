@@ -4,21 +4,24 @@
 #include <cstdio>
 
 #include "api/ask/render/rendered_run.h"
+#include "api/door/cli/looked_at.h"
 #include "api/door/cli/progress.h"
 #include "api/door/cli/rendered_files.h"
+#include "api/perception/detector.h"
 #include "api/program/paths.h"
 #include "fields/base/error.h"
 
 namespace slackwater::api {
 
-std::vector<live::SensorAsked> sensors_to_see(const std::vector<std::string>& texts,
+std::vector<live::SensorAsked> sensors_to_see(const SeeingAsked& wanted,
                                               const std::filesystem::path& log,
                                               const twin::Scenario& scenario) {
-  if (!texts.empty() && log.empty())
+  if (!wanted.sensors.empty() && log.empty())
     throw Error(ErrorKind::usage,
                 "--see: looks at the log of the run; say where it is to be, by --out");
   std::vector<live::SensorAsked> asked;
-  for (const std::string& text : texts) {
+  bool has_camera = false;
+  for (const std::string& text : wanted.sensors) {
     asked.push_back(live::sensor_asked(text));
     const auto& vehicles = scenario.vehicles;
     const bool is_there = std::any_of(
@@ -28,8 +31,14 @@ std::vector<live::SensorAsked> sensors_to_see(const std::vector<std::string>& te
       if (!is_there)
         throw Error(ErrorKind::not_found, "found no vehicle " + asked.back().vehicle +
                                               " in the scenario, expected one of its names");
-      (void)twin::read_named_render_sensor(asked.back().sensor, data_folder());
+      has_camera |= twin::read_named_render_sensor(asked.back().sensor, data_folder()).is_camera();
     });
+  }
+  if (!wanted.by.empty()) {
+    if (!has_camera)
+      throw Error(ErrorKind::usage,
+                  "--by: looks at what a camera saw; name one with --see VEHICLE/SENSOR@RATE");
+    (void)load_detector(wanted.by);
   }
   return asked;
 }
@@ -53,14 +62,22 @@ nlohmann::json see_by_sensors(const std::vector<live::SensorAsked>& sensors, con
       folder.replace_filename(of.log.stem().string() + "-" + asked.vehicle + "-" + asked.sensor);
       RenderedFiles files(run, asked.sensor, folder);
       const std::vector<double> times_s = moments_each(1 / asked.rate_hz, run, "--see");
+      std::optional<LookedAt> looked_at;
+      if (!of.by.empty() && run.sensor().is_camera())
+        looked_at.emplace(of.by, run, asked.sensor, false);
       ProgressBar progress("see " + name, context.json);
       for (std::size_t i = 0; i < times_s.size(); ++i) {
-        files.add(run.view_at(times_s[i]));
+        const RenderView view = run.view_at(times_s[i]);
+        files.add(view);
+        if (looked_at) looked_at->add(view);
         progress.update(static_cast<double>(i + 1) / static_cast<double>(times_s.size()));
       }
       files.finish();
-      if (!context.json) std::printf("%s", files.words().c_str());
+      if (looked_at) looked_at->record_in(of.log);
+      if (!context.json)
+        std::printf("%s%s", files.words().c_str(), looked_at ? looked_at->words().c_str() : "");
       seen.push_back(files.json());
+      if (looked_at) seen.back()["detected"] = looked_at->json();
     });
   }
   return seen;

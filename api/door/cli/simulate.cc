@@ -38,7 +38,7 @@ struct SimulateArguments {
   std::filesystem::path checkpoint;
   std::string checkpoint_at;
   std::filesystem::path restore;
-  std::vector<std::string> see;  ///< VEHICLE/SENSOR@RATE
+  SeeingAsked see;
 };
 
 /// Set by SIGINT and SIGTERM while a run has a checkpoint to leave behind.
@@ -96,6 +96,15 @@ std::optional<std::filesystem::path> forecast_file(const twin::Scenario& scenari
   return folder / water->file;  // an absolute one stays what it is
 }
 
+void write_page_and_csv(const ingest::TrajectoryFile& log, const SimulateArguments& arguments) {
+  if (!arguments.html.empty()) {
+    write_beside(arguments.html, [&](const std::filesystem::path& partial) {
+      write_run_page(log, partial, {.shows_truth = arguments.shows_truth});
+    });
+  }
+  if (!arguments.csv.empty()) write_log_csv(log, arguments.csv);
+}
+
 void run_simulate(const SimulateArguments& arguments, const Context& context) {
   expect_output("--out", arguments.out, {".nc"});
   expect_output("--html", arguments.html, {".html"});
@@ -118,27 +127,24 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
       ingest::write_trajectories(result.file, partial);
     });
   }
-  if (!arguments.html.empty()) {
-    write_beside(arguments.html, [&](const std::filesystem::path& partial) {
-      write_run_page(result.file, partial, {.shows_truth = arguments.shows_truth});
-    });
-  }
-  if (!arguments.csv.empty()) write_log_csv(result.file, arguments.csv);
   write_findings(result.file, arguments.findings, arguments.shows_truth);
   for (const std::string& warning : result.warnings)
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   print_notes(result.notes);
   const twin::Resurvey again = written_resurvey(scenario, result, arguments.resurvey);
-  const SeenLog seen_log{arguments.out, forecast_file(scenario, arguments.scenario.parent_path()),
+  const SeenLog seen_log{arguments.out, arguments.see.by,
+                         forecast_file(scenario, arguments.scenario.parent_path()),
                          arguments.threads};
   if (!context.json) {
     print_run(result, arguments.out);
     for (const std::string& line : again.words) std::printf("%s\n", line.c_str());
-    (void)see_by_sensors(sensors, seen_log, context);
-    return;
   }
+  const json seen = see_by_sensors(sensors, seen_log, context);
+  write_page_and_csv(
+      arguments.see.by.empty() ? result.file : ingest::read_trajectories(arguments.out), arguments);
+  if (!context.json) return;
   json out = run_json(result, scenario.name, water, arguments.out);
-  if (!sensors.empty()) out["seen"] = see_by_sensors(sensors, seen_log, context);
+  if (!sensors.empty()) out["seen"] = seen;
   std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
 }
 
@@ -227,9 +233,11 @@ void add_simulate(CLI::App& app, Context& context) {
   command->add_option("scenario", arguments->scenario, "YAML file")->required();
   command->add_option("--out", arguments->out, "log as FILE.nc (CF trajectories)");
   command->add_option("--html", arguments->html, "page of plots as FILE.html");
-  command->add_option("--see", arguments->see,
+  command->add_option("--see", arguments->see.sensors,
                       "VEHICLE/SENSOR@RATE: what a sensor of data/sensors on it saw, RATE times a "
                       "second, in a folder beside the log; repeatable");
+  command->add_option("--by", arguments->see.by,
+                      "with --see: a detector of data/detectors, whose finds go into the log");
   command->add_option("--csv", arguments->csv,
                       "log as FILE.csv, a row a vehicle and time; its lists as FILE-NAME.csv");
   add_findings_options(*command, arguments->findings, arguments->shows_truth);

@@ -8,6 +8,7 @@
 #include "api/log/account_log.h"
 #include "api/show/coverage/page.h"
 #include "api/show/rehearse/account_text.h"
+#include "api/show/rehearse/detections_report.h"
 #include "api/show/rehearse/limit_bounds.h"
 #include "api/show/rehearse/run_page_traffic.h"
 #include "api/show/report/assets.h"
@@ -296,6 +297,7 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
   page.plots_html = outcome + seen + coverage_plots_html(coverages) + plots(has_missions(account));
   page.instead_of_plots_html = outcome + seen;
   page.tables_html = coverage_tables_html(coverages, log.epoch, choice.shows_truth) +
+                     detections_html(detections_in(log), log.names, choice.shows_truth) +
                      events_html(account, events) + fate_html(account) + traffic_html(log);
   page.data_json = script_safe(
       {{"t", seconds},
