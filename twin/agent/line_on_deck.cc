@@ -26,7 +26,8 @@ SteadyWater tabulated(const SteadyWater& water, double deepest_m) {
   };
 }
 
-/// The tether as it has come to rest in the current of a time, above and below the vehicle.
+}  // namespace
+
 TetherState<double> hung_out(const Agent& agent, const Triple<double>& top_m,
                              const Triple<double>& end_m, double length_m, double t_s) {
   const SteadyWater found_m_s = [&](double depth_m) {
@@ -40,8 +41,6 @@ TetherState<double> hung_out(const Agent& agent, const Triple<double>& top_m,
   const double deepest_m = std::max({top_m.z, end_m.z, 0.0}) + 0.5 * length_m;
   return hung_roughly(*agent.tether, laid, top_m, end_m, tabulated(found_m_s, deepest_m));
 }
-
-}  // namespace
 
 Triple<double> deck_place(const Agent& agent, const AgentState& carrier) {
   const BodyState<double>& body = carrier.vehicle.body;

@@ -20,6 +20,13 @@ namespace slackwater::twin {
 /// pull of these lines for the steps until the next one. No allocation.
 void move_tops(std::span<const Agent> agents, std::span<AgentState> states, double t_s);
 
+/// A line of a vehicle's tether as it comes to rest in the current of a time, above and below its
+/// lower end.
+/// @throws Error(invalid_input) where it does not reach
+[[nodiscard]] TetherState<double> hung_out(const Agent& agent, const Triple<double>& top_m,
+                                           const Triple<double>& end_m, double length_m,
+                                           double t_s);
+
 /// Lays the line of a vehicle in the water anew: all of it, from its top to where the vehicle is,
 /// as it has come to rest in the current of then. As long as it was, and parted where it had.
 /// @throws Error(invalid_input) where it does not reach

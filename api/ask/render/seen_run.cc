@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "api/ask/render/seen_by.h"
+#include "api/ask/render/seen_tethers.h"
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
@@ -194,8 +195,10 @@ SeenRun::Sighting SeenRun::sighting(const MountedSensor& mounted, const SeenMome
     }
   }
   const std::vector<twin::SeenVehicle> vehicles = others_than(mounted.vehicle, moment);
+  const std::vector<twin::SeenTether> tethers =
+      seen_tethers(ready_, scenario_, moment.vehicles, moment.t_s);
   sighting.scene =
-      twin::scene_of_run({sampler, inspections_, vehicles, ready_.vessels, scenario_.seed,
+      twin::scene_of_run({sampler, inspections_, vehicles, tethers, ready_.vessels, scenario_.seed,
                           moment.t_s, sighting.pose.position_m, sensor.most_range_m});
   const double below_m = sighting.pose.position_m.z - sighting.scene.surface_m;
   twin::expect_in_medium(sensor, below_m > 0,

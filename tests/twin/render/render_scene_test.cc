@@ -47,6 +47,17 @@ TEST(SimpleMesh, StructuresAreClosedOutward) {
   EXPECT_NEAR(volume_m3(box), 8, 1e-5);
 }
 
+TEST(SimpleMesh, ALineIsClosedOutwardAndAsThickAsItSays) {
+  const std::vector<Triple<double>> straight{{1, 2, 3}, {1, 2, 7}, {1, 2, 13}};
+  const TriangleMesh line = line_mesh(straight, 0.2);
+  EXPECT_TRUE(is_closed(line));
+  const double of_hexagon = 1.5 * std::sqrt(3.0) * 0.1 * 0.1;
+  EXPECT_NEAR(volume_m3(line), of_hexagon * 10, 1e-5);
+  const TriangleMesh bent = line_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, -1}}, 0.02);
+  EXPECT_TRUE(is_closed(bent));
+  EXPECT_GT(volume_m3(bent), 0);
+}
+
 TEST(SimpleMesh, ABedFacesUpAndLeavesOutWhatElseShowsIt) {
   const TriangleMesh bed = bed_mesh({10, 20, 30}, 40, 2, {{10, 20, 12}});
   for (std::size_t t = 0; t < bed.triangles.size(); ++t) EXPECT_LT(bed.area_vector_m2(t).z, 0);

@@ -29,8 +29,8 @@ class TurbinesInScene : public testing::Test {
   std::size_t blades(double height_m, double reach_m,
                      const std::vector<std::shared_ptr<const Inspection>>& inspections = {}) {
     const EnvironmentSampler sampler(*ready_.environment);
-    const RenderScene scene =
-        scene_of_run({sampler, inspections, {}, ready_.vessels, 1, 5, {0, 0, -height_m}, reach_m});
+    const RenderScene scene = scene_of_run(
+        {sampler, inspections, {}, {}, ready_.vessels, 1, 5, {0, 0, -height_m}, reach_m});
     return static_cast<std::size_t>(
         std::count_if(scene.things.begin(), scene.things.end(),
                       [](const SeenThing& thing) { return thing.seen_class == SeenClass::blade; }));

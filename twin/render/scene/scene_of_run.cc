@@ -173,6 +173,9 @@ RenderScene scene_of_run(const RunMoment& moment) {
         {seen.name, SeenClass::vehicle, Material::plastic,
          hull_mesh(seen.shape.kind, seen.shape.size_m,
                    seen.position_m + seen.attitude.to_ned(seen.shape.middle_m), seen.attitude)});
+  for (const SeenTether& tether : moment.tethers)
+    scene.things.push_back({tether.name, SeenClass::tether, Material::rubber,
+                            line_mesh(tether.at_m, tether.diameter_m)});
   SeenThing sea{"sea", SeenClass::water, Material::water,
                 sea_mesh(moment.sampler.waves(), moment.middle_m,
                          std::min(moment.reach_m, most_of_sea_m), moment.t_s)};

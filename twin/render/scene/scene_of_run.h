@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "twin/body/vehicle_kind.h"
 #include "twin/environment/environment.h"
@@ -31,11 +32,19 @@ struct SeenVehicle {
   Rotation<double> attitude;  ///< body to NED
 };
 
+/// The line of a vehicle at a moment.
+struct SeenTether {
+  std::string name;
+  double diameter_m = 0;
+  std::vector<Triple<double>> at_m;  ///< from its top to the vehicle, NED of the run
+};
+
 /// What the scene of a run is made of at a moment.
 struct RunMoment {
   const EnvironmentSampler& sampler;  ///< of its water, and the sea as somebody leads it
   std::span<const std::shared_ptr<const Inspection>> inspections;  ///< each once
   std::span<const SeenVehicle> vehicles;  ///< but the one that looks: it does not see itself
+  std::span<const SeenTether> tethers;    ///< with that of the one that looks
   const std::vector<TrafficVessel>& traffic;
   std::uint64_t seed = 0;  ///< of the run: for the defects that are there
   double t_s = 0;          ///< since the epoch
@@ -45,11 +54,11 @@ struct RunMoment {
 };
 
 /// What can be seen then: the inspected surfaces with their planted defects, the structures, the
-/// bed, the other vehicles, passing vessels, running turbines and the sea, in this order.
+/// bed, the other vehicles, tethers, passing vessels, running turbines and the sea, in this order.
 ///
 /// - A structure is as its scenario has it; where an inspected surface lies on it, it is drawn 4 %
 ///   thinner, so that the surface is what is seen. The bed is level at the depth that the
-///   environment's field says at the middle, but where an inspected bed is. Tethers are not in it.
+///   environment's field says at the middle, but where an inspected bed is.
 /// - Vessels are where their tracks say (passing_vessel.h). A turbine of the site of which nobody
 ///   inspects tower, nacelle or blades runs in the wind at its hub (turning_rotor.h), its tower on
 ///   what stands there; one that looks from under water does not see it.

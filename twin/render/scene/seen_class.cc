@@ -4,9 +4,9 @@ namespace slackwater::twin {
 
 const char* name_of(SeenClass seen) noexcept {
   constexpr std::array<const char*, seen_classes> names{
-      "nothing", "monopile",  "transition_piece", "tower", "nacelle",
-      "blade",   "anodes",    "mooring_line",     "cable", "bed",
-      "water",   "structure", "vehicle",          "vessel"};
+      "nothing", "monopile",  "transition_piece", "tower",  "nacelle",
+      "blade",   "anodes",    "mooring_line",     "cable",  "bed",
+      "water",   "structure", "vehicle",          "vessel", "tether"};
   return names[static_cast<std::size_t>(seen)];
 }
 

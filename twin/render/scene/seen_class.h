@@ -22,8 +22,9 @@ enum class SeenClass : std::uint8_t {
   structure,  ///< of the scenario, that nobody inspects
   vehicle,
   vessel,  ///< of the traffic
+  tether,  ///< of a vehicle
 };
-inline constexpr std::size_t seen_classes = 14;
+inline constexpr std::size_t seen_classes = 15;
 [[nodiscard]] const char* name_of(SeenClass seen) noexcept;
 [[nodiscard]] SeenClass class_of(SurfaceKind kind) noexcept;
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "fields/base/check.h"
 #include "fields/base/constants.h"
 
 namespace slackwater::twin {
@@ -127,6 +128,33 @@ TriangleMesh hull_mesh(VehicleKind kind, const Triple<double>& size_m,
     for (Triple<double>& at : ring) at = body.to_ned(at);
   TriangleMesh mesh;
   mesh.origin_m = position_m;
+  add_rings(mesh, rings);
+  return mesh;
+}
+
+TriangleMesh line_mesh(const std::vector<Triple<double>>& at_m, double diameter_m) {
+  constexpr int faces = 6;
+  expects(at_m.size() >= 2, "a line has two ends");
+  TriangleMesh mesh;
+  mesh.origin_m = at_m.front();
+  std::vector<std::vector<Triple<double>>> rings;
+  Triple<double> aside{};
+  for (std::size_t k = 0; k < at_m.size(); ++k) {
+    const Triple<double> way = at_m[std::min(k + 1, at_m.size() - 1)] - at_m[k == 0 ? 0 : k - 1];
+    const Triple<double> along = (1 / length_of(way)) * way;
+    // Carried on from the ring before, so that the faces do not wind about the line.
+    if (k == 0) aside = std::abs(along.z) < 0.7 ? Triple<double>{0, 0, 1} : Triple<double>{1, 0, 0};
+    aside = aside - dot(aside, along) * along;
+    aside = (1 / length_of(aside)) * aside;
+    const Triple<double> other = cross(along, aside);
+    rings.emplace_back();
+    for (int i = 0; i < faces; ++i) {
+      const double turn = 2 * constants::pi * i / faces;
+      rings.back().push_back(at_m[k] - mesh.origin_m +
+                             (0.5 * diameter_m) *
+                                 (std::cos(turn) * aside + std::sin(turn) * other));
+    }
+  }
   add_rings(mesh, rings);
   return mesh;
 }

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "twin/body/vehicle_kind.h"
 #include "twin/inspection/surface/triangle_mesh.h"
 #include "twin/scene/structure.h"
@@ -17,6 +19,10 @@ namespace slackwater::twin {
 [[nodiscard]] TriangleMesh hull_mesh(VehicleKind kind, const Triple<double>& size_m,
                                      const Triple<double>& position_m,
                                      const Rotation<double>& body);
+
+/// A line through places, of which no two neighbours are one: six faces, closed, outward.
+/// @param at_m  two or more
+[[nodiscard]] TriangleMesh line_mesh(const std::vector<Triple<double>>& at_m, double diameter_m);
 
 /// A level bed: squares of `square_m` up to `reach_m` north and east of a place, but for those
 /// whose corner is within one of the discs, where something else shows the bed.

@@ -34,10 +34,15 @@ vehicles:
   - name: rov
     model: bluerov2_heavy
     start: {north_m: -9, east_m: 0.5, depth_m: 8, heading_deg: 0}
+    tether: {top: {north_m: -9, east_m: 4, depth_m: 2}, length_m: 10}
     tasks: [{do: hold}]
   - name: auv
     model: lrauv_tethys
     start: {north_m: -5.5, east_m: -2, depth_m: 8, heading_deg: 90}
+    tasks: [{do: hold}]
+  - name: behind
+    model: lrauv_tethys
+    start: {north_m: -14, east_m: 2, depth_m: 5, heading_deg: 0}
     tasks: [{do: hold}]
   - name: uav
     model: x500
@@ -125,6 +130,20 @@ TEST_F(RenderedRunOfARun, InAirSeesSkySeaAndPile) {
     if (scan.true_range_m[i] < nearest_m) nearest_m = scan.true_range_m[i];
   // The lowest channel, 22.5 degrees down, meets the sea 10 m below; waves are some decimetres.
   EXPECT_NEAR(nearest_m, 10 / std::sin(22.5 * constants::degree), 3);
+}
+
+/// That of the ROV, 3 to 6 m before the AUV that lies behind it: 8 mm are two or three pixels.
+TEST_F(RenderedRunOfARun, SeesTheTetherOfAnother) {
+  const api::RenderView view = rendered("rov_camera", "behind").view_at(1);
+  const auto& truth = std::get<api::CameraView>(view.seen).truth;
+  std::size_t of_tether = 0;
+  for (std::size_t i = 0; i < truth.pixels(); ++i) {
+    if (truth.seen_class[i] != twin::SeenClass::tether) continue;
+    EXPECT_EQ(view.things[truth.instance[i] - 1U].name, "rov/tether");
+    EXPECT_NEAR(truth.depth_m[i], 4.5, 2.5);
+    ++of_tether;
+  }
+  EXPECT_GT(of_tether, 100U);
 }
 
 /// The vessel of the traffic, where its track says: 20 m long, 150 m off, on its way to the east.
