@@ -9,6 +9,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/inspection/instrument/pointing.h"
+#include "twin/render/light/sun_glint.h"
 #include "twin/render/scene/place_to_look_at.h"
 #include "twin/render/scene/scene_of_run.h"
 #include "twin/risk/sun_position.h"
@@ -156,7 +157,7 @@ std::vector<twin::SeenVehicle> SeenRun::others_than(std::size_t vehicle,
 }
 
 /// All but lamps and shadows.
-twin::Lighting SeenRun::lighting(const MountedSensor& mounted,
+twin::Lighting SeenRun::lighting(const MountedSensor& mounted, const SeenMoment& moment,
                                  const twin::EnvironmentSampler& sampler, UtcTime time) const {
   Sight sight = sight_from(mounted.vehicle);
   if (const auto seen_m = sampler.water_visibility_m())
@@ -167,6 +168,11 @@ twin::Lighting SeenRun::lighting(const MountedSensor& mounted,
   lighting.water = twin::coloured(sight.in_water, mounted.water_type);
   lighting.air = twin::colourless(sight.in_air);
   lighting.seed = scenario_.seed;
+  const twin::Triple<double>& at_m = moment.vehicles[mounted.vehicle]->position_m;
+  const auto wind = sampler.free_wind({at_m.x, at_m.y, -12.5}, moment.t_s);
+  if (has_value(wind.status))
+    lighting.sea_slope =
+        twin::mean_square_slope(std::hypot(wind.velocity_m_s.x, wind.velocity_m_s.y));
   if (!mounted.is_overcast) {
     const twin::SunPosition sun = twin::sun_position(ready_.origin, time);
     lighting.sky = twin::clear_sky(sun.elevation_deg, sun.azimuth_deg);
@@ -233,7 +239,7 @@ RenderView SeenRun::look(const MountedSensor& mounted, const SeenMoment& moment)
 
   // Noise of its own for each moment.
   const auto seed = scenario_.seed ^ static_cast<std::uint64_t>(std::llround(1000 * t_s));
-  const twin::Lighting light = lighting(mounted, sampler, view.time);
+  const twin::Lighting light = lighting(mounted, moment, sampler, view.time);
   const double beam_w_m2 =
       mounted.is_overcast
           ? 0

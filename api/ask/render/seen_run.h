@@ -95,7 +95,7 @@ class SeenRun {
                                               const SeenMoment& moment) const;
   [[nodiscard]] std::vector<twin::SeenVehicle> others_than(std::size_t vehicle,
                                                            const SeenMoment& moment) const;
-  [[nodiscard]] twin::Lighting lighting(const MountedSensor& mounted,
+  [[nodiscard]] twin::Lighting lighting(const MountedSensor& mounted, const SeenMoment& moment,
                                         const twin::EnvironmentSampler& sampler,
                                         UtcTime time) const;
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/base/constants.h"
 #include "fields/base/parallel.h"
 #include "twin/inspection/instrument/seen_light.h"
 #include "twin/render/light/albedo.h"
 #include "twin/render/light/fading.h"
 #include "twin/render/light/lamp_veil.h"
 #include "twin/render/light/seen_place.h"
+#include "twin/render/light/sun_glint.h"
 
 namespace slackwater::twin {
 namespace {
@@ -166,18 +168,28 @@ class Painter {
 
   [[nodiscard]] Bands surface_from_above(const Ray& ray, const Triple<double>& n) const noexcept {
     const double cosine = -dot(ray.direction, n);
-    const double off = 1 - cosine, square = off * off;
-    const double mirrored = 0.02 + 0.98 * square * square * off;
+    const double mirrored = mirrored_share(cosine);
     Bands light = sky(ray.direction + (2 * cosine) * n);
+    const double glint = sun_in_sea(ray, n);
     const ColouredClarity& water = lighting_.water;
     for (std::size_t k = 0; k < light.size(); ++k) {
       const double absorbed =
           std::max(water.backscatter_per_m,
                    0.83 * water.diffuse_attenuation_per_m[k] - water.backscatter_per_m);
       const double back = absorbed > 0 ? 0.33 * water.backscatter_per_m / absorbed : 0;
-      light[k] = mirrored * light[k] + (1 - mirrored) * 0.54 * back * white * water.daylight;
+      light[k] =
+          mirrored * light[k] + (1 - mirrored) * 0.54 * back * white * water.daylight + glint;
     }
     return light;
+  }
+
+  [[nodiscard]] double sun_in_sea(const Ray& ray, const Triple<double>& n) const noexcept {
+    const Sky& sky = lighting_.sky;
+    if (!(sky.beam > 0)) return 0;
+    const double across_beam = sky.beam * lighting_.air.daylight / std::max(0.05, -sky.to_sun.z);
+    // A white face sends up its light over pi.
+    return white * constants::pi * across_beam *
+           sun_glint_per_sr(-1.0 * ray.direction, sky.to_sun, n, lighting_.sea_slope);
   }
 
   [[nodiscard]] Bands surface_from_below(const Ray& ray, const Triple<double>& at_m,
@@ -186,8 +198,8 @@ class Painter {
     const double beyond = 1 - water_index * water_index * (1 - cosine * cosine);
     Bands light{};
     if (beyond > 0) {
-      const double leaving = std::sqrt(beyond), off = 1 - leaving, square = off * off;
-      const double through = (1 - 0.02 - 0.98 * square * square * off) * water_index * water_index;
+      const double leaving = std::sqrt(beyond);
+      const double through = (1 - mirrored_share(leaving)) * water_index * water_index;
       const Triple<double> out = water_index * ray.direction + (water_index * cosine - leaving) * n;
       light = sky(out);
       for (double& one : light) one *= through;

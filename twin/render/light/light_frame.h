@@ -39,8 +39,8 @@ struct LightFrame {
 /// b_b/a of the light (Gordon, Brown and Jacobs 1975, as Kirk 1994 has it; a = mu K - b_b, at
 /// least b_b), of which 0.54 leaves the water; what is below it is not seen. From below it shows
 /// the sky within its window (index 1.34), and the water's own veil beyond. The sky is the CIE's
-/// overcast one, (1 + 2 sin h)/3 (Moon and Spencer 1942); a clear one's is blue, an estimate. No
-/// sun is drawn.
+/// overcast one, (1 + 2 sin h)/3 (Moon and Spencer 1942); a clear one's is blue, an estimate. The
+/// sun glitters in the sea seen from above (sun_glint.h), in no shadow; its disc is not drawn.
 ///
 /// The same bits on any number of threads and on every machine.
 /// @param hits    of the same scene and camera

@@ -58,6 +58,7 @@ struct Lighting {
   std::vector<Lamp> lamps;
   Shadows shadows;
   double growth = usual_growth;  ///< how much steel under water is overgrown (growth.h)
+  double sea_slope = 0.03;       ///< mean square, of waves too short for its mesh (sun_glint.h)
   std::uint64_t seed = 0;        ///< of materials
 };
 
