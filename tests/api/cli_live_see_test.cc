@@ -65,9 +65,21 @@ TEST_F(LiveSee, IsInTheRecordingWhatRenderSeesInTheLog) {
   for (const char* topic : {"image/compressed", "camera_info", "depth", "pose"})
     EXPECT_EQ(by_topic["/rov/rov_camera/" + std::string(topic)].size(), told.at("seen")) << topic;
   ASSERT_EQ(run_program({"render", path("run.nc"), "--sensor", "rov_camera", "--at", "60s", "--out",
-                         path("seen"), "--store", path("store")})
+                         path("seen"), "--bag", path("again.mcap"), "--store", path("store")})
                 .exit_code,
             0);
+  // Its bag has the same messages, to the byte.
+  std::size_t in_bag = 0;
+  for (const LiveMessage& message : messages_of(path("again.mcap"))) {
+    EXPECT_EQ(message.payload, by_topic.at(message.topic).back().payload) << message.topic;
+    ++in_bag;
+  }
+  EXPECT_EQ(in_bag, 4U);
+  const ProgramResult twice =
+      run_program({"render", path("run.nc"), "--sensor", "rov_camera", "--at", "60s", "--out",
+                   path("seen"), "--bag", path("again.mcap"), "--store", path("store")});
+  EXPECT_EQ(twice.exit_code, 3) << twice.err;
+  EXPECT_EQ(messages_of(path("again.mcap")).size(), 4U) << "what lies there stays";
   const auto file = ingest::netcdf::File::open(path("seen/rov_camera_000060.000.nc"));
   const std::vector<double> expected = file.read_all(*file.find("depth"));
   ASSERT_EQ(expected.size(), 640U * 360);

@@ -10,6 +10,7 @@
 #include "api/door/cli/progress.h"
 #include "api/door/cli/rendered_files.h"
 #include "api/door/cli/sight_options.h"
+#include "api/door/live/view_bag.h"
 #include "api/program/named_sheet.h"
 #include "api/show/report/html_page.h"
 #include "fields/base/text.h"
@@ -31,6 +32,7 @@ struct RenderArguments {
   std::filesystem::path findings;
   bool shows_truth = false;
   bool records = false;
+  std::filesystem::path bag;
 };
 
 /// "12.5s", "5min", "1h30min".
@@ -87,6 +89,9 @@ void run_render(const RenderArguments& arguments, const Context& context) {
   std::filesystem::path folder = arguments.out;
   if (folder.empty()) folder = choice.log.stem().string() + "-" + choice.sensor;
   RenderedFiles files(run, choice.sensor, folder);
+  std::optional<live::ViewBag> bag;
+  if (!arguments.bag.empty())
+    bag.emplace(arguments.bag, run.start(), run.vehicle(), choice.sensor, run.sensor());
   for (const std::string& warning : run.warnings())
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   ProgressBar progress("render " + choice.log.filename().string(), context.json);
@@ -94,9 +99,11 @@ void run_render(const RenderArguments& arguments, const Context& context) {
     const RenderView view = run.view_at(times_s[i]);
     files.add(view);
     if (looked_at) looked_at->add(view);
+    if (bag) bag->add(view);
     progress.update(static_cast<double>(i + 1) / static_cast<double>(times_s.size()));
   }
   files.finish();
+  const std::uint64_t messages = bag ? bag->close() : 0;
   if (!arguments.html.empty()) write_page(looked_at->page(), arguments.html);
   if (!arguments.findings.empty())
     write_text(arguments.findings, looked_at->geojson(arguments.shows_truth));
@@ -105,10 +112,12 @@ void run_render(const RenderArguments& arguments, const Context& context) {
     json out = files.json();
     out["log"] = choice.log.string();
     if (looked_at) out["detected"] = looked_at->json();
+    if (bag) out["bag"] = {{"path", arguments.bag.string()}, {"messages", messages}};
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
     return;
   }
   std::printf("%s", files.words().c_str());
+  if (bag) std::printf("%s: %s\n", arguments.bag.c_str(), counted(messages, "message").c_str());
   if (looked_at) std::printf("%s", looked_at->words().c_str());
 }
 
@@ -141,6 +150,8 @@ void add_render(CLI::App& app, Context& context) {
                     "with --findings: which of them are false alarms");
   command->add_flag("--record", arguments->records,
                     "with --by: into the log, too, where `score` and its page tell it");
+  command->add_option("--bag", arguments->bag,
+                      "the same as topics of ROS 2, in FILE.mcap or a rosbag2 folder");
   command->add_option("--threads", arguments->choice.threads, "1 to 64 (default 1)")
       ->check(CLI::Range(1, 64));
   command->callback([arguments, &context] { run_render(*arguments, context); });

@@ -5,163 +5,15 @@
 
 #include "api/ask/render/logged_poses.h"
 #include "api/door/dds/message/names.h"
-#include "api/door/dds/message/sensor_messages.h"
-#include "api/door/dds/message/sonar_messages.h"
-#include "api/perception/jpeg.h"
+#include "api/door/live/sensor_topics.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
-#include "twin/render/light/heat_tones.h"
 
 namespace slackwater::live {
 namespace {
 
 /// Of a step, within which a moment counts as come: steps are not exact in binary.
 constexpr double moment_rounding_s = 1e-6;
-
-/// Of cameras, of light or of heat: they have a picture for people, and a picture's size.
-struct CameraFrame {
-  const twin::TruthFrame& truth;
-  const std::array<double, 9>& matrix;
-};
-std::optional<CameraFrame> camera_frame(const api::RenderView& view) {
-  if (const auto* camera = std::get_if<api::CameraView>(&view.seen))
-    return CameraFrame{camera->truth, camera->matrix};
-  if (const auto* infrared = std::get_if<api::InfraredView>(&view.seen))
-    return CameraFrame{infrared->truth, infrared->matrix};
-  return std::nullopt;
-}
-bool shows_pictures(const twin::RenderSensor& sensor) {
-  return sensor.is_camera() || std::holds_alternative<twin::InfraredSheet>(sensor.device);
-}
-
-std::vector<std::uint8_t> jpeg_of_heat(const twin::InfraredFrame& heat) {
-  twin::Picture grey{heat.wide, heat.high, {}};
-  for (const std::uint8_t tone : twin::heat_tones(heat)) grey.rgb.insert(grey.rgb.end(), 3, tone);
-  return api::jpeg_of(grey);
-}
-std::vector<std::uint8_t> jpeg_of_view(const api::RenderView& view) {
-  if (const auto* camera = std::get_if<api::CameraView>(&view.seen))
-    return api::jpeg_of(camera->picture);
-  return jpeg_of_heat(std::get<api::InfraredView>(view.seen).heat);
-}
-
-/// What was seen, and the JPEG of it where one is needed.
-struct Seen {
-  const twin::RenderSensor& sensor;
-  const api::RenderView& view;
-  const std::vector<std::uint8_t>& jpeg;
-};
-using ToMessage = dds::Bytes (*)(const Seen& seen, const dds::SensorStamp& of);
-
-template <dds::SensorAxes axes>
-dds::Bytes pose_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::sensor_pose(seen.view.pose, axes, of.stamp);
-}
-dds::Bytes image_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::compressed_image(seen.jpeg, of);
-}
-dds::Bytes info_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  const CameraFrame frame = *camera_frame(seen.view);
-  return dds::camera_info(frame.truth.wide, frame.truth.high, frame.matrix, of);
-}
-dds::Bytes depth_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::depth_image(camera_frame(seen.view)->truth, of);
-}
-const api::RightView& right_of(const Seen& seen) {
-  return *std::get<api::CameraView>(seen.view.seen).right;
-}
-dds::Bytes right_image_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::compressed_image(api::jpeg_of(right_of(seen).picture), of);
-}
-dds::Bytes right_info_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  const api::RightView& right = right_of(seen);
-  return dds::camera_info(right.picture.wide, right.picture.high, camera_frame(seen.view)->matrix,
-                          of, right.baseline_m);
-}
-dds::Bytes heat_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::heat_image(std::get<api::InfraredView>(seen.view.seen).heat, of);
-}
-dds::Bytes points_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::point_cloud(std::get<twin::LidarScan>(seen.view.seen),
-                          std::get<twin::LidarSheet>(seen.sensor.device), of);
-}
-dds::Bytes sonar_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::sonar_image(std::get<twin::SonarImage>(seen.view.seen),
-                          std::get<twin::ImagingSonarSheet>(seen.sensor.device),
-                          seen.sensor.most_range_m, of);
-}
-dds::Bytes side_scan_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::side_scan_image(std::get<twin::SideScanPing>(seen.view.seen),
-                              std::get<twin::SideScanSheet>(seen.sensor.device), of);
-}
-dds::Bytes ranges_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::sonar_ranges(std::get<api::MultibeamView>(seen.view.seen).soundings,
-                           std::get<twin::MultibeamSheet>(seen.sensor.device), of);
-}
-dds::Bytes range_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::range_message(std::get<twin::EchoSounding>(seen.view.seen),
-                            std::get<twin::EchoSounderSheet>(seen.sensor.device),
-                            {seen.sensor.least_range_m, seen.sensor.most_range_m}, of);
-}
-dds::Bytes currents_message_of(const Seen& seen, const dds::SensorStamp& of) {
-  return dds::current_cloud(std::get<twin::CurrentProfile>(seen.view.seen), of);
-}
-
-struct SensorTopic {
-  const char* name;
-  const char* type;
-  ToMessage message;
-};
-using SensorTopics = std::vector<SensorTopic>;
-
-template <dds::SensorAxes axes>
-constexpr SensorTopic pose_topic{"pose", "geometry_msgs/msg/PoseStamped", pose_message_of<axes>};
-constexpr SensorTopic camera_pose = pose_topic<dds::SensorAxes::camera>;
-constexpr SensorTopic scanner_pose = pose_topic<dds::SensorAxes::scanner>;
-constexpr SensorTopic fan_pose = pose_topic<dds::SensorAxes::fan>;
-constexpr SensorTopic image_topic{"image/compressed", "sensor_msgs/msg/CompressedImage",
-                                  image_message_of};
-constexpr SensorTopic info_topic{"camera_info", "sensor_msgs/msg/CameraInfo", info_message_of};
-constexpr SensorTopic depth_topic{"depth", "sensor_msgs/msg/Image", depth_message_of};
-
-/// By device; of cameras the picture comes first.
-struct TopicsOf {
-  SensorTopics operator()(const twin::CameraSheet& sheet) const {
-    SensorTopics topics{image_topic, info_topic, depth_topic, camera_pose};
-    if (sheet.baseline_m > 0) {
-      topics.push_back(
-          {"right/image/compressed", "sensor_msgs/msg/CompressedImage", right_image_message_of});
-      topics.push_back({"right/camera_info", "sensor_msgs/msg/CameraInfo", right_info_message_of});
-    }
-    return topics;
-  }
-  SensorTopics operator()(const twin::InfraredSheet&) const {
-    return {image_topic,
-            info_topic,
-            depth_topic,
-            {"temperature", "sensor_msgs/msg/Image", heat_message_of},
-            camera_pose};
-  }
-  SensorTopics operator()(const twin::LidarSheet&) const {
-    return {{"points", "sensor_msgs/msg/PointCloud2", points_message_of}, scanner_pose};
-  }
-  SensorTopics operator()(const twin::ImagingSonarSheet&) const {
-    return {{"sonar", "marine_acoustic_msgs/msg/ProjectedSonarImage", sonar_message_of}, fan_pose};
-  }
-  SensorTopics operator()(const twin::SideScanSheet&) const {
-    return {{"sonar", "marine_acoustic_msgs/msg/ProjectedSonarImage", side_scan_message_of},
-            fan_pose};
-  }
-  SensorTopics operator()(const twin::MultibeamSheet&) const {
-    return {{"ranges", "marine_acoustic_msgs/msg/SonarRanges", ranges_message_of}, fan_pose};
-  }
-  SensorTopics operator()(const twin::EchoSounderSheet&) const {
-    return {{"range", "sensor_msgs/msg/Range", range_message_of}, scanner_pose};
-  }
-  SensorTopics operator()(const twin::Adcp&) const {
-    return {{"currents", "sensor_msgs/msg/PointCloud2", currents_message_of}, scanner_pose};
-  }
-};
 
 std::vector<std::string> names_of_all(const twin::Run& run) {
   std::vector<std::string> names;
@@ -193,7 +45,7 @@ struct SensorPublisher::Eye {
   std::uint64_t next = 0;  ///< moment, at next / rate
   struct Topic {
     Stream::ChannelId channel = 0;
-    ToMessage message = nullptr;
+    SensorTopic::ToMessage message = nullptr;
   };
   std::vector<Topic> topics;  ///< of a camera the picture comes first
 };
@@ -269,7 +121,7 @@ SensorPublisher::Eye SensorPublisher::eye_of(const SensorAsked& asked,
 
 void SensorPublisher::open_topics(Eye& eye, const std::string& name) {
   eye.frame_id = name + "/" + dds::ros_token(eye.asked.sensor);
-  for (const SensorTopic& topic : std::visit(TopicsOf{}, eye.mounted.sensor.device))
+  for (const SensorTopic& topic : topics_of(eye.mounted.sensor))
     eye.topics.push_back(
         {stream_.open("/" + eye.frame_id + "/" + topic.name, topic.type, sensor_quality),
          topic.message});
@@ -301,9 +153,9 @@ void SensorPublisher::look(const Eye& eye, const Moment& moment,
   const api::RenderView view =
       seen_.look(eye.mounted, {moment.t_s, moment.vehicles, *moment.commands});
   auto jpeg = std::make_shared<std::vector<std::uint8_t>>();
-  const std::optional<CameraFrame> camera = camera_frame(view);
-  if (camera && (on_picture_ || is_wanted.front())) *jpeg = jpeg_of_view(view);
-  const Seen seen{eye.mounted.sensor, view, *jpeg};
+  const bool has_picture = shows_pictures(eye.mounted.sensor);
+  if (has_picture && (on_picture_ || is_wanted.front())) *jpeg = jpeg_of_view(view);
+  const SeenView seen{eye.mounted.sensor, view, *jpeg};
   const dds::SensorStamp of{dds::stamp_of(place_.epoch, moment.t_s), eye.frame_id};
   std::vector<Made> made;
   for (std::size_t i = 0; i < eye.topics.size(); ++i)
@@ -312,9 +164,11 @@ void SensorPublisher::look(const Eye& eye, const Moment& moment,
     const std::lock_guard lock(mutex_);
     std::move(made.begin(), made.end(), std::back_inserter(made_));
   }
-  if (camera && on_picture_)
-    on_picture_({eye.mounted.vehicle, eye.asked.sensor, moment.t_s, moment.at, camera->truth.wide,
-                 camera->truth.high, std::move(jpeg)});
+  if (has_picture && on_picture_) {
+    const auto [wide, high] = size_of_picture(view);
+    on_picture_({eye.mounted.vehicle, eye.asked.sensor, moment.t_s, moment.at, wide, high,
+                 std::move(jpeg)});
+  }
 }
 
 /// Recorded when it is told, and not in the past: the moment is in its header.
