@@ -48,8 +48,9 @@ std::vector<float> last_numbers(const LiveMessage& message, std::size_t count) {
 
 /// The same moment by `live` and by `render` from its log: the same bits.
 TEST_F(LiveSee, IsInTheRecordingWhatRenderSeesInTheLog) {
-  const ProgramResult run = live({"--real-time-factor", "0", "--see", "rov/rov_camera@2",
-                                  "--record", path("run.mcap"), "--out", path("run.nc"), "--json"});
+  const ProgramResult run =
+      live({"--real-time-factor", "0", "--see", "rov/rov_camera@2", "--by", "corrosion_by_colour",
+            "--record", path("run.mcap"), "--out", path("run.nc"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const json told = json::parse(run.out).at("sensors").at(0);
   EXPECT_EQ(told.at("vehicle"), "rov");
@@ -62,10 +63,11 @@ TEST_F(LiveSee, IsInTheRecordingWhatRenderSeesInTheLog) {
   std::map<std::string, std::vector<LiveMessage>> by_topic;
   for (const LiveMessage& message : messages_of(path("run.mcap")))
     by_topic[message.topic].push_back(message);
-  for (const char* topic : {"image/compressed", "camera_info", "depth", "pose"})
+  for (const char* topic : {"image/compressed", "camera_info", "depth", "pose", "detections"})
     EXPECT_EQ(by_topic["/rov/rov_camera/" + std::string(topic)].size(), told.at("seen")) << topic;
   ASSERT_EQ(run_program({"render", path("run.nc"), "--sensor", "rov_camera", "--at", "60s", "--out",
-                         path("seen"), "--bag", path("again.mcap"), "--store", path("store")})
+                         path("seen"), "--bag", path("again.mcap"), "--by", "corrosion_by_colour",
+                         "--store", path("store")})
                 .exit_code,
             0);
   // Its bag has the same messages, to the byte.
@@ -74,12 +76,12 @@ TEST_F(LiveSee, IsInTheRecordingWhatRenderSeesInTheLog) {
     EXPECT_EQ(message.payload, by_topic.at(message.topic).back().payload) << message.topic;
     ++in_bag;
   }
-  EXPECT_EQ(in_bag, 4U);
+  EXPECT_EQ(in_bag, 5U);
   const ProgramResult twice =
       run_program({"render", path("run.nc"), "--sensor", "rov_camera", "--at", "60s", "--out",
                    path("seen"), "--bag", path("again.mcap"), "--store", path("store")});
   EXPECT_EQ(twice.exit_code, 3) << twice.err;
-  EXPECT_EQ(messages_of(path("again.mcap")).size(), 4U) << "what lies there stays";
+  EXPECT_EQ(messages_of(path("again.mcap")).size(), 5U) << "what lies there stays";
   const auto file = ingest::netcdf::File::open(path("seen/rov_camera_000060.000.nc"));
   const std::vector<double> expected = file.read_all(*file.find("depth"));
   ASSERT_EQ(expected.size(), 640U * 360);
@@ -112,6 +114,9 @@ TEST_F(LiveSee, WhatCannotBeIsOneLineAndNothingIsLeft) {
   EXPECT_TRUE(contains(said({"--see", "rov/rov_camera@2"}, 2), "nobody would see it"));
   EXPECT_TRUE(contains(said({"--record", bag, "--see", "rov/rov_camera"}, 2),
                        "expected VEHICLE/SENSOR@RATE"));
+  EXPECT_TRUE(contains(said({"--record", bag, "--by", "rust_and_cracks"}, 2), "--see"));
+  EXPECT_TRUE(contains(said({"--record", bag, "--see", "rov/rov_camera@2", "--by", "nobody"}, 4),
+                       "nobody"));
   EXPECT_TRUE(contains(said({"--record", bag, "--see", "usv/rov_camera@2"}, 4),
                        "found no vehicle usv; the run has rov"));
   EXPECT_TRUE(contains(said({"--record", bag, "--see", "rov/camera@2"}, 3), "rov_camera"));

@@ -37,6 +37,7 @@ struct LiveArguments {
   double factor = 1;
   std::string when_host_fails = "take-back";
   std::vector<std::string> sensors;
+  std::string by;  ///< a detector; empty: none
   SightChoice sight;
   std::vector<std::filesystem::path> recordings;
   std::vector<std::filesystem::path> played_commands;
@@ -197,7 +198,7 @@ json sensors_json(const std::vector<live::SensorTold>& told) {
 
 /// @throws Error(usage) also where nobody could see anything of them
 live::SensorsAsked sensors_of(const LiveArguments& arguments) {
-  live::SensorsAsked asked{{}, arguments.sight};
+  live::SensorsAsked asked{{}, arguments.sight, arguments.by};
   for (const std::string& text : arguments.sensors)
     asked.sensors.push_back(live::sensor_asked(text));
   const bool is_heard = arguments.domain || arguments.viewer_port || arguments.people_port ||
@@ -206,6 +207,9 @@ live::SensorsAsked sensors_of(const LiveArguments& arguments) {
     throw Error(ErrorKind::usage,
                 "--see: nobody would see it; say where it goes: --dds-domain, --record, "
                 "--viewer-port or --people");
+  if (asked.sensors.empty() && !asked.by.empty())
+    throw Error(ErrorKind::usage,
+                "--by: looks at what a camera sees; put one on a vehicle by --see");
   return asked;
 }
 
@@ -323,6 +327,8 @@ void add_live(CLI::App& app, Context& context) {
   command->add_option("--see", arguments->sensors,
                       "a sensor on a vehicle: VEHICLE/SENSOR@RATE, of data/sensors, in Hz of the "
                       "run's time, as in rov/rov_camera@2; repeatable");
+  command->add_option("--by", arguments->by,
+                      "with --see: a detector of data/detectors looks at the pictures of cameras");
   add_sight_options(*command, arguments->sight);
   command->add_option("--record", arguments->recordings,
                       "bag of all messages: FILE.mcap, or a folder for rosbag2; repeatable");

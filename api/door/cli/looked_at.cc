@@ -28,10 +28,12 @@ LookedAt::LookedAt(const std::string& by, const RenderedRun& run, const std::str
       title_(run.title()),
       keeps_pictures_(keeps_pictures) {}
 
-void LookedAt::add(const RenderView& view) {
+std::vector<Detection> LookedAt::add(const RenderView& view) {
   const twin::Picture& picture = std::get<CameraView>(view.seen).picture;
-  finds_.add(view, detector_->find(picture));
+  std::vector<Detection> found = detector_->find(picture);
+  finds_.add(view, found);
   if (keeps_pictures_) thumbnails_.push_back(thumbnail_of(picture));
+  return found;
 }
 
 void LookedAt::record_in(const std::filesystem::path& log) const {

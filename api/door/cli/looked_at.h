@@ -22,8 +22,8 @@ class LookedAt {
   LookedAt(const std::string& by, const RenderedRun& run, const std::string& sensor,
            bool keeps_pictures);
 
-  /// The next picture in the order of time.
-  void add(const RenderView& view);
+  /// The next picture in the order of time. @return what was found in it
+  std::vector<Detection> add(const RenderView& view);
 
   /// Puts what was found into the log of the run, in place of what the same detector found in
   /// pictures of the same sensor before. @throws Error(unavailable); the log is then as it was

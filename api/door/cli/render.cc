@@ -91,15 +91,17 @@ void run_render(const RenderArguments& arguments, const Context& context) {
   RenderedFiles files(run, choice.sensor, folder);
   std::optional<live::ViewBag> bag;
   if (!arguments.bag.empty())
-    bag.emplace(arguments.bag, run.start(), run.vehicle(), choice.sensor, run.sensor());
+    bag.emplace(arguments.bag, run.start(), run.vehicle(), choice.sensor, run.sensor(),
+                looked_at.has_value());
   for (const std::string& warning : run.warnings())
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   ProgressBar progress("render " + choice.log.filename().string(), context.json);
   for (std::size_t i = 0; i < times_s.size(); ++i) {
     const RenderView view = run.view_at(times_s[i]);
     files.add(view);
-    if (looked_at) looked_at->add(view);
-    if (bag) bag->add(view);
+    std::vector<Detection> found;
+    if (looked_at) found = looked_at->add(view);
+    if (bag) bag->add(view, found);
     progress.update(static_cast<double>(i + 1) / static_cast<double>(times_s.size()));
   }
   files.finish();

@@ -69,7 +69,7 @@ nlohmann::json see_by_sensors(const std::vector<live::SensorAsked>& sensors, con
       for (std::size_t i = 0; i < times_s.size(); ++i) {
         const RenderView view = run.view_at(times_s[i]);
         files.add(view);
-        if (looked_at) looked_at->add(view);
+        if (looked_at) (void)looked_at->add(view);
         progress.update(static_cast<double>(i + 1) / static_cast<double>(times_s.size()));
       }
       files.finish();

@@ -10,7 +10,7 @@ target_link_libraries(slackwater_lib_fastdds INTERFACE fastrtps)
 
 # Those that others include first.
 set(idl_names builtin_interfaces std_msgs geometry_msgs nav_msgs sensor_msgs marine_acoustic_msgs
-    rosgraph_msgs std_srvs rcl_interfaces rmw_dds_common action_msgs slackwater_msgs)
+    vision_msgs rosgraph_msgs std_srvs rcl_interfaces rmw_dds_common action_msgs slackwater_msgs)
 set(idl_folder ${CMAKE_CURRENT_LIST_DIR}/idl)
 set(made_folder ${PROJECT_BINARY_DIR}/generated/dds_types)
 set(idl_files "")

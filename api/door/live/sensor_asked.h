@@ -17,6 +17,7 @@ struct SensorAsked {
 struct SensorsAsked {
   std::vector<SensorAsked> sensors;
   api::SightChoice sight;
+  std::string by;  ///< a detector that looks at pictures of cameras; empty: none
 };
 
 /// "rov/rov_camera@2": VEHICLE/SENSOR@RATE.

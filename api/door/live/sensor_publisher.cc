@@ -47,7 +47,8 @@ struct SensorPublisher::Eye {
     Stream::ChannelId channel = 0;
     SensorTopic::ToMessage message = nullptr;
   };
-  std::vector<Topic> topics;  ///< of a camera the picture comes first
+  std::vector<Topic> topics;               ///< of a camera the picture comes first
+  std::optional<Stream::ChannelId> finds;  ///< of a detector
 };
 
 std::string SensorTold::text() const {
@@ -87,6 +88,7 @@ SensorPublisher::SensorPublisher(Stream& stream, const RunPlace& place, const ap
       eyes_.push_back(std::move(eye));
     });
   }
+  if (!asked.by.empty()) with_context("--by", [&] { detector_ = api::load_detector(asked.by); });
   for (Eye& eye : eyes_) open_topics(eye, names.at(eye.mounted.vehicle));
   const auto on_unseen = [this, on_trouble = std::move(on_trouble)](std::size_t sensor,
                                                                     const std::string& why) {
@@ -125,6 +127,9 @@ void SensorPublisher::open_topics(Eye& eye, const std::string& name) {
     eye.topics.push_back(
         {stream_.open("/" + eye.frame_id + "/" + topic.name, topic.type, sensor_quality),
          topic.message});
+  if (detector_ && eye.mounted.sensor.is_camera())
+    eye.finds =
+        stream_.open("/" + eye.frame_id + "/" + detections_topic, detections_type, sensor_quality);
 }
 
 std::shared_ptr<const SensorPublisher::Moment> SensorPublisher::moment(double t_s) {
@@ -160,6 +165,10 @@ void SensorPublisher::look(const Eye& eye, const Moment& moment,
   std::vector<Made> made;
   for (std::size_t i = 0; i < eye.topics.size(); ++i)
     if (is_wanted[i]) made.push_back({eye.topics[i].channel, eye.topics[i].message(seen, of)});
+  if (eye.finds && is_wanted.back()) {
+    const auto found = detector_->find(std::get<api::CameraView>(view.seen).picture);
+    made.push_back({*eye.finds, detections_message_of(found, of)});
+  }
   {
     const std::lock_guard lock(mutex_);
     std::move(made.begin(), made.end(), std::back_inserter(made_));
@@ -193,6 +202,7 @@ void SensorPublisher::speak(double t_s) {
     std::vector<bool> is_wanted;
     for (const Eye::Topic& topic : eye.topics)
       is_wanted.push_back(stream_.is_wanted(topic.channel));
+    if (eye.finds) is_wanted.push_back(stream_.is_wanted(*eye.finds));
     const bool is_shown = on_picture_ && shows_pictures(eye.mounted.sensor);
     if (!is_shown && std::find(is_wanted.begin(), is_wanted.end(), true) == is_wanted.end())
       continue;

@@ -11,6 +11,7 @@
 #include "api/door/live/sensor_asked.h"
 #include "api/door/live/stream.h"
 #include "api/door/live/vehicle_publisher.h"
+#include "api/perception/detector.h"
 
 namespace slackwater::live {
 
@@ -84,6 +85,7 @@ class SensorPublisher {
   std::size_t vehicles_;  ///< those that were there at the start
   api::SeenRun seen_;     ///< of the look thread alone, once that is there
   std::vector<Eye> eyes_;
+  std::unique_ptr<api::Detector> detector_;  ///< of the look thread alone; may be null
   std::size_t commands_looked_at_ = 0;
   /// Those that change the view, so far; others when there is a new one.
   std::shared_ptr<const std::vector<twin::Command>> commands_;

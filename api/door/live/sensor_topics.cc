@@ -1,5 +1,6 @@
 #include "api/door/live/sensor_topics.h"
 
+#include "api/door/dds/message/detection_messages.h"
 #include "api/door/dds/message/sonar_messages.h"
 #include "api/perception/jpeg.h"
 #include "twin/render/light/heat_tones.h"
@@ -144,6 +145,15 @@ std::vector<std::uint8_t> jpeg_of_view(const api::RenderView& view) {
   if (const auto* camera = std::get_if<api::CameraView>(&view.seen))
     return api::jpeg_of(camera->picture);
   return jpeg_of_heat(std::get<api::InfraredView>(view.seen).heat);
+}
+
+dds::Bytes detections_message_of(std::span<const api::Detection> found,
+                                 const dds::SensorStamp& of) {
+  std::vector<dds::FoundBox> boxes;
+  for (const api::Detection& one : found)
+    boxes.push_back(
+        {one.of, one.confidence, one.box.left, one.box.top, one.box.right, one.box.bottom});
+  return dds::detections_message(boxes, of);
 }
 
 std::vector<SensorTopic> topics_of(const twin::RenderSensor& sensor) {

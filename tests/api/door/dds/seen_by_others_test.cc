@@ -11,6 +11,7 @@
 #include "tests/api/door/dds/without_leaks.h"
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
+#include "vision_msgsPubSubTypes.h"
 
 namespace slackwater::tests::seen_by_others_test {
 namespace {
@@ -73,15 +74,18 @@ TEST_P(SeenByOthers, PicturesDepthsCloudsAndPings) {
   Heard<marine_acoustic_msgs::msg::SonarRanges, marine_acoustic_msgs::msg::SonarRangesPubSubType>
       fans(other, "/rov/multibeam/ranges");
   Heard<sensor_msgs::msg::Range, RangePubSubType> sounders(other, "/rov/echo_sounder/range");
+  Heard<vision_msgs::msg::Detection2DArray, vision_msgs::msg::Detection2DArrayPubSubType> finds(
+      other, "/rov/rov_camera/detections");
   std::vector<std::string> arguments{
       "live",  folder / "run.yaml",   "--dds-domain", std::to_string(domain.number()),
       "--see", "rov/rov_camera@1",    "--see",        "uav/uav_lidar@1",
       "--see", "rov/imaging_sonar@1", "--see",        "rov/multibeam@1",
-      "--see", "rov/echo_sounder@1"};
+      "--see", "rov/echo_sounder@1",  "--by",         "rust_and_cracks"};
   if (GetParam()) arguments.insert(arguments.end(), {"--loopback", "--udp-only"});
   StartedProgram run(start_program(arguments, without_leaks(), folder / "out", folder / "err"));
   const auto image = images.wait(2);
   const auto info = infos.wait(1);
+  EXPECT_EQ(finds.wait(1).front().header().frame_id(), "rov/rov_camera");
   const auto depth = depths.wait(2);
   const auto cloud = clouds.wait(2);
   const auto ping = pings.wait(2);

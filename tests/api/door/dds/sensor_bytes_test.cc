@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "api/door/dds/message/detection_messages.h"
 #include "api/door/dds/message/sensor_messages.h"
 #include "api/door/dds/message/sonar_messages.h"
 #include "fields/base/random.h"
@@ -42,6 +43,28 @@ TEST(BytesOfSensors, CompressedImageByteByByte) {
   EXPECT_EQ(compressed_image(jpeg, {{1, 500'000'000}, "r"}),
             hex("00 01 00 00  01 00 00 00  00 65 CD 1D  02 00 00 00 72 00 00 00"
                 "05 00 00 00 6A 70 65 67 00 00 00 00  03 00 00 00  FF D8 FF"));
+}
+
+TEST(BytesOfSensors, DetectionsHaveTheirBoxesByTheirMiddles) {
+  const std::vector<FoundBox> found{{"crack", 0.75, 10, 20, 40, 30}};
+  HandReader read(detections_message(found, of));
+  read.expect_header(of.stamp, "rov/rov_camera");
+  ASSERT_EQ(read.count(), 1U);
+  read.expect_header(of.stamp, "rov/rov_camera");
+  ASSERT_EQ(read.count(), 1U);
+  EXPECT_EQ(read.string(), "crack");
+  EXPECT_EQ(read.real(), 0.75);
+  EXPECT_EQ(read.reals(7), (std::vector<double>{0, 0, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(read.reals(36), std::vector<double>(36, 0.0));
+  // From 10 to 40 the middle is 25 from the corner, 24.5 from the middle of the first pixel.
+  EXPECT_EQ(read.reals(3), (std::vector<double>{24.5, 24.5, 0}));
+  EXPECT_EQ(read.reals(2), (std::vector<double>{30, 10}));
+  EXPECT_EQ(read.string(), "");
+  read.expect_end();
+  HandReader nothing(detections_message({}, of));
+  nothing.expect_header(of.stamp, "rov/rov_camera");
+  EXPECT_EQ(nothing.count(), 0U);
+  nothing.expect_end();
 }
 
 TEST(BytesOfSensors, DepthIsRowsOfSinglePrecision) {

@@ -136,6 +136,11 @@ TEST(DefinitionOf, EachTypeOfTheTable) {
        "std_msgs/Header header\nmarine_acoustic_msgs/PingInfo ping_info\n"
        "marine_acoustic_msgs/DetectionFlag[] flags\nfloat32[] transmit_delays\n"
        "float32[] intensities\ngeometry_msgs/Vector3[] beam_unit_vec\nfloat32[] ranges\n"},
+      {"vision_msgs/msg/Detection2DArray",
+       "std_msgs/Header header\nvision_msgs/Detection2D[] detections\n"},
+      {"vision_msgs/msg/Detection2D",
+       "std_msgs/Header header\nvision_msgs/ObjectHypothesisWithPose[] results\n"
+       "vision_msgs/BoundingBox2D bbox\nstring id\n"},
       {"sensor_msgs/msg/Range",
        "std_msgs/Header header\nuint8 radiation_type\nfloat32 field_of_view\n"
        "float32 min_range\nfloat32 max_range\nfloat32 range\nfloat32 variance\n"},
@@ -223,9 +228,11 @@ TEST(TypeHashOf, WhatSensorsTellIsThatOfRosbags) {
             "RIHS01_9198cabf7da3796ae6fe19c4cb3bdd3525492988c70522628af5daa124bae2b5");
   EXPECT_EQ(type_hash_of("sensor_msgs/msg/Range"),
             "RIHS01_b42b62562e93cbfe9d42b82fe5994dfa3d63d7d5c90a317981703f7388adff3a");
-  // From their .msg files, for rosbags knows no marine_acoustic_msgs.
+  // From their .msg files, for rosbags knows neither marine_acoustic_msgs nor vision_msgs.
   EXPECT_EQ(type_hash_of("marine_acoustic_msgs/msg/SonarRanges"),
             "RIHS01_f440f02f1adc9535848643a389997562f2672f1a74214c17970e1cf2a832343c");
+  EXPECT_EQ(type_hash_of("vision_msgs/msg/Detection2DArray"),
+            "RIHS01_214274120007f4a683866481336b70310268cfa107aebe9d594a6acf75bda968");
   EXPECT_EQ(type_hash_of("marine_acoustic_msgs/msg/ProjectedSonarImage"),
             "RIHS01_e9d0b934ee8332c9f79e04c361de0793c165b2dee14f2c0d25c3227cd50d46f1");
 }
