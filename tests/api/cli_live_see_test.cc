@@ -67,9 +67,12 @@ TEST_F(LiveSee, IsInTheRecordingWhatRenderSeesInTheLog) {
     EXPECT_EQ(by_topic["/rov/rov_camera/" + std::string(topic)].size(), told.at("seen")) << topic;
   ASSERT_EQ(run_program({"render", path("run.nc"), "--sensor", "rov_camera", "--at", "60s", "--out",
                          path("seen"), "--bag", path("again.mcap"), "--by", "corrosion_by_colour",
-                         "--store", path("store")})
+                         "--record", "--store", path("store")})
                 .exit_code,
             0);
+  // With what was found in it, the log replays as it did.
+  const ProgramResult replayed = run_program({"replay", path("run.nc"), "--store", path("store")});
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
   // Its bag has the same messages, to the byte.
   std::size_t in_bag = 0;
   for (const LiveMessage& message : messages_of(path("again.mcap"))) {
