@@ -67,8 +67,6 @@ soak: test-packages venv
 	  || [ $$? -eq 77 ]
 	tests/soak/learn build/release/api/slackwater || [ $$? -eq 77 ]
 	tests/soak/learn_looks build/release/api/slackwater || [ $$? -eq 77 ]
-	tests/soak/strange_plates build/release/api/slackwater rust_and_cracks build/venv-mitsuba \
-	  || [ $$? -eq 77 ]
 	tests/soak/five-products build/release/api/slackwater build/soak-demo/store \
 	  build/release/tests/slackwater_made_up_products build/node
 	$(MAKE) fuzz

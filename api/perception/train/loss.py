@@ -51,8 +51,12 @@ def overlap_loss(sides, wanted):
 
 
 def loss(heads, boxes, labels, kinds):
-    """labels: the number of a kind; -1: there may be something, and no answer is wrong there."""
+    """The loss of a batch, and of each of its pictures what is said of places where nothing is.
+
+    labels: the number of a kind; -1: there may be something, and no answer is wrong there.
+    """
     of_kinds, of_boxes, many = 0.0, 0.0, 0
+    alarms = [0.0] * len(boxes)
     for head, stride in zip(heads, STRIDES):
         points = points_of(head, stride)
         for nth in range(len(boxes)):
@@ -72,5 +76,7 @@ def loss(heads, boxes, labels, kinds):
                 to = torch.cat([at - of[:, :2], of[:, 2:] - at], 1).clamp(min=0.25)
                 of_boxes = of_boxes + overlap_loss(flat[hit, kinds:].clamp(max=8).exp() * stride, to)
                 many += int(hit.sum())
-            of_kinds = of_kinds + (counts * focal(flat[:, :kinds], wanted)).sum()
-    return (of_kinds + 1.5 * of_boxes) / max(1, many)
+            said = counts * focal(flat[:, :kinds], wanted)
+            of_kinds = of_kinds + said.sum()
+            alarms[nth] += float(said.detach()[~hit].sum())
+    return (of_kinds + 1.5 * of_boxes) / max(1, many), alarms

@@ -90,7 +90,10 @@ class Network(nn.Module):
         self.heads = nn.ModuleList([Head(kinds) for _ in STRIDES])
 
     def forward(self, picture):
-        eighth = self.eighth(self.quarter(self.evened(picture)))
+        return self.heads_of(self.evened(picture))
+
+    def heads_of(self, evened):
+        eighth = self.eighth(self.quarter(evened))
         sixteenth = self.sixteenth(eighth)
         coarse = self.aside[2](self.last(sixteenth))
         middle = self.aside[1](sixteenth) + up(coarse)

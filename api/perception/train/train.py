@@ -9,6 +9,7 @@ weights; with --seconds the steps depend on the machine, and the card says how m
 """
 
 import argparse
+import concurrent.futures
 import copy
 import hashlib
 import math
@@ -20,9 +21,9 @@ import torch
 
 from loss import loss
 from network import STRIDES, Network, parameters
-from pictures import MEAN, SD, Pictures, as_input, batch
+from pictures import MEAN, SD, Alarming, Pictures, as_input, batch
 
-SIDE, BATCH, BEST_RATE = 352, 8, 2e-3
+SIDE, BATCH, AGAIN, BEST_RATE = 352, 8, 2, 2e-3  # AGAIN: of a batch, those that alarmed most before
 PROOF_SEED, PROOF_SIDE, PROOF_NUMBERS = 7, 64, 16
 
 
@@ -34,7 +35,7 @@ def read_arguments():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--seconds", type=float)
     parser.add_argument("--steps", type=int)
-    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--threads", type=int, default=1, help="of the network; one more makes the crops beside it")
     arguments = parser.parse_args()
     if (arguments.seconds is None) == (arguments.steps is None):
         parser.error("expected either --seconds or --steps")
@@ -43,12 +44,36 @@ def read_arguments():
     return arguments
 
 
+class Batches:
+    """Batches to learn from, the next one made while the network learns from the last."""
+
+    def __init__(self, pictures, evened, seed):
+        self.pictures, self.evened, self.rng = pictures, evened, np.random.default_rng(seed)
+        self.alarming = Alarming()
+        self.maker = concurrent.futures.ThreadPoolExecutor(1, initializer=lambda: torch.set_num_threads(1))
+        self.coming = self.maker.submit(self.make)
+
+    @torch.no_grad()
+    def make(self):
+        places = self.alarming.take(self.rng, AGAIN)
+        places += [self.pictures.place(self.rng, SIDE) for _ in range(BATCH - len(places))]
+        inputs, boxes, labels = batch(self.pictures, places, self.rng, SIDE)
+        return places, self.evened(inputs), boxes, labels
+
+    def next(self, alarmed):
+        """alarmed: what add() of Alarming is told of the last batch."""
+        made = self.coming.result()
+        self.alarming.add(*alarmed)
+        self.coming = self.maker.submit(self.make)
+        return made
+
+
 def trained(pictures, arguments):
     """The network, a running mean of its weights over the steps, and how many steps it had."""
-    rng = np.random.default_rng(arguments.seed)
     kinds = len(arguments.kinds)
     network = Network(kinds)
     mean = copy.deepcopy(network)
+    batches, alarmed = Batches(pictures, network.evened, arguments.seed), ([], [])
     optimiser = torch.optim.AdamW(network.parameters(), lr=BEST_RATE, weight_decay=1e-2)
     begin, step, told = time.monotonic(), 0, 0.0
     while True:
@@ -60,8 +85,9 @@ def trained(pictures, arguments):
         rate = BEST_RATE * min(1.0, 100 * share + 1e-3) * (0.5 + 0.5 * math.cos(math.pi * share))
         for group in optimiser.param_groups:
             group["lr"] = rate
-        inputs, boxes, labels = batch(pictures, rng, BATCH, SIDE)
-        wrong = loss(network(inputs), boxes, labels, kinds)
+        places, evened, boxes, labels = batches.next(alarmed)
+        wrong, alarms = loss(network.heads_of(evened), boxes, labels, kinds)
+        alarmed = (alarms, places)
         optimiser.zero_grad()
         wrong.backward()
         torch.nn.utils.clip_grad_norm_(network.parameters(), 5.0)
@@ -139,7 +165,7 @@ A detector of {' and '.join(arguments.kinds)} in pictures, {parameters(network):
 
 | | |
 |---|---|
-| made by | `api/perception/train/train.py`, seed {arguments.seed}, {steps:,} steps of {BATCH} crops of {SIDE} pixels |
+| made by | `api/perception/train/train.py`, seed {arguments.seed}, {steps:,} steps of {BATCH} crops of {SIDE} pixels, {AGAIN} of them where it had said most of nothing |
 | learned from | {len(pictures):,} labelled pictures, {empty:,} without a label; {', '.join(f'{many:,} of {kind}' for kind, many in zip(arguments.kinds, labelled))} |
 | says nothing | of pictures of another kind until `slackwater detect --score FOLDER` was run on them |
 | licence | that of the pictures it learned from; no weights of others |
