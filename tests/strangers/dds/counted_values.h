@@ -13,6 +13,7 @@
 #include "sensor_msgs.h"
 #include "slackwater_msgs.h"
 #include "std_srvs.h"
+#include "vision_msgs.h"
 
 namespace slackwater::tests {
 

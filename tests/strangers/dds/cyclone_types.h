@@ -10,6 +10,7 @@
 #include "sensor_msgs.h"
 #include "slackwater_msgs.h"
 #include "std_srvs.h"
+#include "vision_msgs.h"
 
 // Every structure of api/door/dds/idl as idlc made it, under its name on ROS 2's wire.
 
