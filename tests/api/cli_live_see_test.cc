@@ -118,6 +118,9 @@ TEST_F(LiveSee, WhatCannotBeIsOneLineAndNothingIsLeft) {
   EXPECT_TRUE(contains(said({"--record", bag, "--see", "rov/rov_camera"}, 2),
                        "expected VEHICLE/SENSOR@RATE"));
   EXPECT_TRUE(contains(said({"--record", bag, "--by", "rust_and_cracks"}, 2), "--see"));
+  EXPECT_TRUE(
+      contains(said({"--record", bag, "--see", "rov/multibeam@1", "--by", "rust_and_cracks"}, 2),
+               "found no camera among the sensors"));
   EXPECT_TRUE(contains(said({"--record", bag, "--see", "rov/rov_camera@2", "--by", "nobody"}, 4),
                        "nobody"));
   EXPECT_TRUE(contains(said({"--record", bag, "--see", "usv/rov_camera@2"}, 4),

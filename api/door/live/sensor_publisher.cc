@@ -88,7 +88,13 @@ SensorPublisher::SensorPublisher(Stream& stream, const RunPlace& place, const ap
       eyes_.push_back(std::move(eye));
     });
   }
-  if (!asked.by.empty()) with_context("--by", [&] { detector_ = api::load_detector(asked.by); });
+  if (!asked.by.empty()) {
+    if (std::none_of(eyes_.begin(), eyes_.end(),
+                     [](const Eye& eye) { return eye.mounted.sensor.is_camera(); }))
+      throw Error(ErrorKind::usage,
+                  "--by: found no camera among the sensors; put one on a vehicle by --see");
+    with_context("--by", [&] { detector_ = api::load_detector(asked.by); });
+  }
   for (Eye& eye : eyes_) open_topics(eye, names.at(eye.mounted.vehicle));
   const auto on_unseen = [this, on_trouble = std::move(on_trouble)](std::size_t sensor,
                                                                     const std::string& why) {

@@ -48,8 +48,9 @@ class SensorPublisher {
   /// @param on_picture  null: no people look on
   /// @param on_trouble  told once of a sensor that cannot see; may be null
   /// @throws Error(not_found), Error(invalid_input), before anything of it is on the stream, for a
-  ///         vehicle or a sensor that is not there, one that is asked for twice, more pictures than
-  ///         steps, a sensor outside of its medium
+  ///         vehicle, a sensor or a detector that is not there, one that is asked for twice, more
+  ///         pictures than steps, a sensor outside of its medium; Error(usage) for a detector
+  ///         without a camera
   SensorPublisher(Stream& stream, const RunPlace& place, const api::RunInHand& hand,
                   const std::vector<std::string>& names, const SensorsAsked& asked,
                   OnPicture on_picture, std::function<void(const std::string&)> on_trouble);
