@@ -67,7 +67,7 @@ TEST_F(LiveSee, IsInTheRecordingWhatRenderSeesInTheLog) {
     EXPECT_EQ(by_topic["/rov/rov_camera/" + std::string(topic)].size(), told.at("seen")) << topic;
   ASSERT_EQ(run_program({"render", path("run.nc"), "--sensor", "rov_camera", "--at", "60s", "--out",
                          path("seen"), "--bag", path("again.mcap"), "--by", "corrosion_by_colour",
-                         "--record", "--store", path("store")})
+                         "--into-log", "--store", path("store")})
                 .exit_code,
             0);
   // With what was found in it, the log replays as it did.

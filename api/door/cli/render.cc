@@ -31,7 +31,7 @@ struct RenderArguments {
   std::filesystem::path html;
   std::filesystem::path findings;
   bool shows_truth = false;
-  bool records = false;
+  bool is_into_log = false;
   std::filesystem::path bag;
 };
 
@@ -65,8 +65,8 @@ std::vector<double> moments_from(const RenderArguments& arguments, const Rendere
 }
 
 void expect_detector(const RenderArguments& arguments) {
-  if (arguments.by.empty() && arguments.records)
-    throw Error(ErrorKind::usage, "--record: is of what a detector finds; name one with --by");
+  if (arguments.by.empty() && arguments.is_into_log)
+    throw Error(ErrorKind::usage, "--into-log: is of what a detector finds; name one with --by");
   for (const auto& [name, file] :
        {std::pair{"--html", &arguments.html}, {"--findings", &arguments.findings}})
     if (arguments.by.empty() && !file->empty())
@@ -109,7 +109,7 @@ void run_render(const RenderArguments& arguments, const Context& context) {
   if (!arguments.html.empty()) write_page(looked_at->page(), arguments.html);
   if (!arguments.findings.empty())
     write_text(arguments.findings, looked_at->geojson(arguments.shows_truth));
-  if (arguments.records) looked_at->record_in(choice.log);
+  if (arguments.is_into_log) looked_at->record_in(choice.log);
   if (context.json) {
     json out = files.json();
     out["log"] = choice.log.string();
@@ -150,10 +150,10 @@ void add_render(CLI::App& app, Context& context) {
                       "with --by: what was found, as FILE.geojson");
   command->add_flag("--truth", arguments->shows_truth,
                     "with --findings: which of them are false alarms");
-  command->add_flag("--record", arguments->records,
-                    "with --by: into the log, too, where `score` and its page tell it");
+  command->add_flag("--into-log", arguments->is_into_log,
+                    "with --by: what was found goes into the log, for `score` and its page");
   command->add_option("--bag", arguments->bag,
-                      "the same as topics of ROS 2, in FILE.mcap or a rosbag2 folder");
+                      "bag of the same as messages of ROS 2: FILE.mcap, or a folder for rosbag2");
   command->add_option("--threads", arguments->choice.threads, "1 to 64 (default 1)")
       ->check(CLI::Range(1, 64));
   command->callback([arguments, &context] { run_render(*arguments, context); });

@@ -44,7 +44,9 @@ std::uint64_t ViewBag::close() {
   const std::uint64_t messages = outlet_->close();
   if (outlet_->has_failed())
     throw Error(ErrorKind::unavailable,
-                path_.string() + ": the disk is full or does not keep up; no bag is left");
+                path_.string() +
+                    ": the disk is full, or does not keep up; no bag is left. Free some "
+                    "space, or take a longer step");
   is_closed_ = true;
   return messages;
 }

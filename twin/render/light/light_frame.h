@@ -40,7 +40,8 @@ struct LightFrame {
 /// least b_b), of which 0.54 leaves the water; what is below it is not seen. From below it shows
 /// the sky within its window (index 1.34), and the water's own veil beyond. The sky is the CIE's
 /// overcast one, (1 + 2 sin h)/3 (Moon and Spencer 1942); a clear one's is blue, an estimate. The
-/// sun glitters in the sea seen from above (sun_glint.h), in no shadow; its disc is not drawn.
+/// sun glitters in the sea seen from above (sun_glint.h), even where something keeps it off; its
+/// disc is not drawn.
 ///
 /// The same bits on any number of threads and on every machine.
 /// @param hits    of the same scene and camera
