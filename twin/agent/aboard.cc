@@ -9,8 +9,7 @@
 namespace slackwater::twin {
 namespace {
 
-/// As near and as slow as a crane's hook or a landing pad takes it: estimates.
-constexpr double boarding_reach_m = 3;
+/// As slow as a crane's hook or a landing pad takes it: an estimate.
 constexpr double boarding_speed_m_s = 1;
 
 Triple<double> velocity_of(const BodyState<double>& body) {
@@ -21,16 +20,10 @@ Triple<double> deck_velocity(const AgentState* carrier) {
   return carrier == nullptr ? Triple<double>{} : velocity_of(carrier->vehicle.body);
 }
 
-/// Where a vehicle of its kind meets the deck: in the water beside it, at its own depth of home, or
-/// over it.
-Triple<double> boarding_place(const Agent& agent, const AgentState* carrier) {
-  Triple<double> place_m = agent.conduct->home_m;
-  if (carrier == nullptr) return place_m;
-  const Triple<double> deck_m = deck_place(agent, *carrier);
-  place_m.x = deck_m.x;
-  place_m.y = deck_m.y;
-  if (agent.vehicle->kind == VehicleKind::uav) place_m.z = std::min(deck_m.z, place_m.z);
-  return place_m;
+/// Its home where it has no carrier.
+Triple<double> boarding_place_by(const Agent& agent, const AgentState* carrier) {
+  if (carrier == nullptr) return agent.conduct->home_m;
+  return boarding_place(agent, deck_place(agent, *carrier));
 }
 
 void stand(const Triple<double>& place_m, AgentState& state) {
@@ -88,6 +81,14 @@ bool came_home(const Agent& agent, const AgentState& state) {
 
 }  // namespace
 
+Triple<double> boarding_place(const Agent& agent, const Triple<double>& deck_m) {
+  Triple<double> place_m = agent.conduct->home_m;
+  place_m.x = deck_m.x;
+  place_m.y = deck_m.y;
+  if (agent.vehicle->kind == VehicleKind::uav) place_m.z = std::min(deck_m.z, place_m.z);
+  return place_m;
+}
+
 bool goes_aboard(const Agent& agent) noexcept {
   return agent.carrier ||
          std::any_of(agent.mission.tasks.begin(), agent.mission.tasks.end(),
@@ -99,7 +100,7 @@ bool is_alongside(const Agent& agent, const AgentState* carrier, const AgentStat
   if (agent.tether && carrier != nullptr &&
       (state.conduct.is_snagged || carrier->halt != Halt::none))
     return false;
-  return length_of(body.position_m - boarding_place(agent, carrier)) <= boarding_reach_m &&
+  return length_of(body.position_m - boarding_place_by(agent, carrier)) <= boarding_reach_m &&
          length_of(velocity_of(body) - deck_velocity(carrier)) <= boarding_speed_m_s;
 }
 
@@ -107,7 +108,7 @@ void come_aboard(const Agent& agent, double t_s, const AgentState* carrier, Agen
   state.conduct.is_aboard = true;
   state.mission.is_rerouted = false;
   state.mission.held_s = 0;
-  stand(boarding_place(agent, carrier), state);
+  stand(boarding_place_by(agent, carrier), state);
   if (agent.tether && carrier != nullptr) stow_line(deck_place(agent, *carrier), state);
   tell(ConductEventKind::came_aboard, t_s, state);
 }
@@ -137,12 +138,12 @@ void put_out(const Agent& agent, double t_s, AgentState& state) {
 }
 
 void keep_boarding_place(const Agent& agent, const AgentState* carrier, AgentState& state) {
-  state.conduct.boarding_m = boarding_place(agent, carrier);
+  state.conduct.boarding_m = boarding_place_by(agent, carrier);
 }
 
 bool carry(const Agent& agent, const AgentState* carrier, AgentState& state) {
   if (carrier == nullptr) return false;
-  stand(boarding_place(agent, carrier), state);
+  stand(boarding_place_by(agent, carrier), state);
   return true;
 }
 

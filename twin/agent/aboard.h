@@ -16,6 +16,13 @@ bool come_and_go(const Agent& agent, double t_s, const Company& company, AgentSt
 
 /// Whether it has a place on a deck: a carrier, or a time aboard among its tasks.
 [[nodiscard]] bool goes_aboard(const Agent& agent) noexcept;
+/// As near as a crane's hook or a landing pad takes it: an estimate.
+inline constexpr double boarding_reach_m = 3;
+/// Where a vehicle of its kind, which conducts itself, meets a deck: in the water beside it, at its
+/// own depth of home, or over it.
+/// @param deck_m  its place on the deck, NED
+[[nodiscard]] Triple<double> boarding_place(const Agent& agent, const Triple<double>& deck_m);
+
 /// Whether it is so near its place there, and so slow beside it, that it can be taken up; on a line
 /// that is caught somewhere, or hangs from one that capsized or ran aground, it cannot.
 [[nodiscard]] bool is_alongside(const Agent& agent, const AgentState* carrier,

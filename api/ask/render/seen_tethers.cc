@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "fields/base/error.h"
+#include "twin/agent/aboard.h"
 #include "twin/agent/line_on_deck.h"
 
 namespace slackwater::api {
 namespace {
 
 /// Where the line of a vehicle hangs from; nothing where its carrier is not there, or the vehicle
-/// is aboard of it.
+/// is beside her.
 std::optional<twin::Triple<double>> top_of(
     const twin::Agent& agent, const twin::Carriage& vehicle,
     std::span<const std::optional<twin::Carriage>> vehicles) {
@@ -17,8 +18,9 @@ std::optional<twin::Triple<double>> top_of(
   const std::optional<twin::Carriage>& carrier = vehicles[*agent.carrier];
   if (!carrier) return std::nullopt;
   const twin::Triple<double> deck_m = carrier->position_m + carrier->attitude.to_ned(agent.deck_m);
-  if (length_of(deck_m - vehicle.position_m) <= aboard_m) return std::nullopt;
-  return deck_m;
+  const bool is_beside = agent.conduct && length_of(twin::boarding_place(agent, deck_m) -
+                                                    vehicle.position_m) <= twin::boarding_reach_m;
+  return is_beside ? std::nullopt : std::optional(deck_m);
 }
 
 }  // namespace

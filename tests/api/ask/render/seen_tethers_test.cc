@@ -59,11 +59,47 @@ TEST(SeenTethers, LieWhereThoseOfTheRunCameToRest) {
   EXPECT_LT(length_of(seen[0].at_m.back() - of_run.back()), 1e-6);
   double furthest_east_m = 0;
   for (std::size_t i = 0; i < of_run.size(); ++i) {
+    // Of 25 m: what still swings of it, and 16 stiff parts that lie a little otherwise each time.
     EXPECT_LT(length_of(seen[0].at_m[i] - of_run[i]), 0.5) << i;
     furthest_east_m = std::max(furthest_east_m, seen[0].at_m[i].y);
   }
   EXPECT_GT(furthest_east_m, 3) << "the current bows it";
   EXPECT_NEAR(length_of_way(seen[0].at_m), 25, 0.1);
+}
+
+/// Its home is 6 m below the deck: in the water, where a crane takes it.
+TEST(SeenTethers, OfOneBesideItsCarrierIsWoundUp) {
+  const twin::Scenario scenario = twin::parse_scenario(
+      R"(name: from a deck
+seed: 4
+origin: {latitude_deg: 54, longitude_deg: 6}
+start: 2025-06-10T11:00:00Z
+duration: 10min
+step_s: 0.05
+water: {made_up: {depth_m: 40}}
+waves: {from: calm}
+vehicles:
+  - {name: tender, model: wamv16, start: {north_m: 0, east_m: 0, depth_m: 0}, tasks: [{do: hold}]}
+  - name: rov
+    model: bluerov2_heavy
+    start: {north_m: 1.5, east_m: 0, depth_m: 5}
+    conduct: {}
+    tether: {length_m: 30}
+    carrier: {name: tender, forward_m: 1.5, up_m: 1}
+    tasks: [{do: hold}]
+)",
+      "test.yaml");
+  const twin::ReadyRun ready = twin::set_up(scenario, surround_of(scenario));
+  std::vector<std::optional<twin::Carriage>> there{where(ready.states[0])[0],
+                                                   where(ready.states[1])[0]};
+  EXPECT_TRUE(api::seen_tethers(ready, scenario, there, 0).empty()) << "beside her";
+  there[1]->position_m.x += 8;
+  const auto out = api::seen_tethers(ready, scenario, there, 0);
+  ASSERT_EQ(out.size(), 1U);
+  EXPECT_NEAR(out[0].at_m.front().x, 1.5, 0.1) << "from her deck";
+  EXPECT_LT(out[0].at_m.front().z, 0);
+  there[0].reset();
+  EXPECT_TRUE(api::seen_tethers(ready, scenario, there, 0).empty()) << "she is not there";
 }
 
 TEST(SeenTethers, OfOneThatIsNotThereOrHasPartedAreLeftOut) {
