@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/ask/detect/detector_record.h"
+#include "api/show/rehearse/detections_report.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -60,12 +61,9 @@ std::string LookedAt::words() const {
 
 nlohmann::json LookedAt::json() const {
   using Json = nlohmann::json;
-  Json out = {{"by", who_.detector}, {"kinds", Json::array()}, {"findings", Json::array()}};
-  for (const KindFound& kind : finds_.score())
-    out["kinds"].push_back({{"of", kind.of},
-                            {"in_view", kind.in_view},
-                            {"found", kind.found},
-                            {"false_alarms", kind.false_alarms}});
+  Json out = {{"by", who_.detector},
+              {"kinds", kinds_found_json(finds_.score())},
+              {"findings", Json::array()}};
   for (const RunFinding& one : finds_.findings())
     out["findings"].push_back({{"of", one.of},
                                {"surface", one.surface},

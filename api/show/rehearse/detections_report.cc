@@ -1,7 +1,6 @@
 #include "api/show/rehearse/detections_report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -110,21 +109,25 @@ std::string detections_text(const std::vector<DetectorRecord>& records, std::siz
   return out;
 }
 
+nlohmann::json kinds_found_json(const std::vector<KindFound>& kinds) {
+  nlohmann::json out = nlohmann::json::array();
+  for (const KindFound& kind : kinds)
+    out.push_back({{"of", kind.of},
+                   {"in_view", kind.in_view},
+                   {"found", kind.found},
+                   {"false_alarms", kind.false_alarms}});
+  return out;
+}
+
 nlohmann::json detections_json(const std::vector<DetectorRecord>& records, std::size_t vehicle) {
   using Json = nlohmann::json;
   Json out = Json::array();
   for (const DetectorRecord& record : records) {
     if (record.vehicle != vehicle) continue;
-    Json kinds = Json::array();
-    for (const KindFound& kind : record.kinds)
-      kinds.push_back({{"of", kind.of},
-                       {"in_view", kind.in_view},
-                       {"found", kind.found},
-                       {"false_alarms", kind.false_alarms}});
     out.push_back({{"sensor", record.sensor},
                    {"detector", record.detector},
                    {"pictures", record.pictures},
-                   {"kinds", std::move(kinds)}});
+                   {"kinds", kinds_found_json(record.kinds)}});
   }
   return out;
 }

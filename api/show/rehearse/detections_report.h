@@ -14,7 +14,10 @@ namespace slackwater::api {
 [[nodiscard]] std::string detections_text(const std::vector<DetectorRecord>& records,
                                           std::size_t vehicle, const std::string& whose);
 
-/// The same: `[{sensor, detector, pictures, kinds: [{of, in_view, found, false_alarms}]}]`.
+/// `[{of, in_view, found, false_alarms}]`.
+[[nodiscard]] nlohmann::json kinds_found_json(const std::vector<KindFound>& kinds);
+
+/// The same: `[{sensor, detector, pictures, kinds}]`.
 [[nodiscard]] nlohmann::json detections_json(const std::vector<DetectorRecord>& records,
                                              std::size_t vehicle);
 
