@@ -85,6 +85,11 @@ TEST_F(LiveSee, IsInTheRecordingWhatRenderSeesInTheLog) {
                    path("seen"), "--bag", path("again.mcap"), "--store", path("store")});
   EXPECT_EQ(twice.exit_code, 3) << twice.err;
   EXPECT_EQ(messages_of(path("again.mcap")).size(), 5U) << "what lies there stays";
+  const ProgramResult beyond =
+      run_program({"render", path("run.nc"), "--sensor", "rov_camera", "--at", "90s", "--out",
+                   path("seen"), "--bag", path("none.mcap"), "--store", path("store")});
+  EXPECT_EQ(beyond.exit_code, 3) << beyond.err;
+  EXPECT_FALSE(std::filesystem::exists(path("none.mcap"))) << "a whole bag or none";
   const auto file = ingest::netcdf::File::open(path("seen/rov_camera_000060.000.nc"));
   const std::vector<double> expected = file.read_all(*file.find("depth"));
   ASSERT_EQ(expected.size(), 640U * 360);
