@@ -10,12 +10,12 @@
 #include "twin/render/light/fading.h"
 #include "twin/render/light/lamp_veil.h"
 #include "twin/render/light/seen_place.h"
+#include "twin/render/light/sky_light.h"
 #include "twin/render/light/sun_glint.h"
 
 namespace slackwater::twin {
 namespace {
 
-constexpr double white = 1 / usual_reflectance;
 constexpr double water_index = 1.34;
 constexpr double from_above = 0.75;  // how much more of the light in water
 
@@ -63,7 +63,7 @@ class Painter {
     if (is_hit)
       light = of_place(ray, pixel);
     else if (!is_under_water_)
-      return sky(ray.direction);
+      return sky_light(lighting_, ray.direction);
     for (std::size_t k = 0; k < light.size(); ++k) {
       const double c = clarity.beam_attenuation_per_m[k];
       if (is_hit) light[k] *= fading(c * range_m);
@@ -77,7 +77,8 @@ class Painter {
     const ColouredClarity& clarity = medium();
     const double c = clarity.beam_attenuation_per_m[k];
     if (!is_under_water_)
-      return sky({ray.direction.x, ray.direction.y, 0})[k] * (1 - fading(c * range_m));
+      return sky_light(lighting_, {ray.direction.x, ray.direction.y, 0})[k] *
+             (1 - fading(c * range_m));
     const double rate = c + clarity.diffuse_attenuation_per_m[k] * ray.direction.z;
     return day(ray.from_m, k) * c * faded_length_m(rate, range_m);
   }
@@ -99,13 +100,14 @@ class Painter {
   [[nodiscard]] Bands of_place(const Ray& ray, std::size_t pixel) const {
     const auto [thing, at_m, face, n, mark, mark_share] = places_.at(ray, hits_, pixel);
     if (thing.seen_class == SeenClass::water)
-      return is_under_water_ ? surface_from_below(ray, at_m, n) : surface_from_above(ray, n);
+      return is_under_water_ ? surface_from_below(ray, at_m, n)
+                             : sea_light(lighting_, ray.direction, n);
     const Bands albedo = albedo_of_pixel(thing, at_m, mark, mark_share);
     const double facing = faces_day(at_m, n, face);
     Bands light{};
     for (std::size_t k = 0; k < light.size(); ++k) light[k] = facing * day(at_m, k);
     for (std::size_t l = 0; l < lighting_.lamps.size(); ++l) add_lamp(l, at_m, n, face, light);
-    for (std::size_t k = 0; k < light.size(); ++k) light[k] *= white * albedo[k];
+    for (std::size_t k = 0; k < light.size(); ++k) light[k] *= whites_light * albedo[k];
     return light;
   }
 
@@ -156,42 +158,6 @@ class Painter {
       light[k] += share * share * lit * on_face * fading(clarity.beam_attenuation_per_m[k] * far_m);
   }
 
-  [[nodiscard]] Bands sky(const Triple<double>& direction) const noexcept {
-    const double sine = std::max(0.0, -direction.z);
-    const double bright = lighting_.air.daylight * white * 9 / 7 * (1 + 2 * sine) / 3;
-    if (!(lighting_.sky.beam > 0)) return {bright, bright, bright};
-    const double blue = 1 - (1 - sine) * (1 - sine);
-    // No brighter than the sky's own share, paler to the horizon.
-    const double of_sky = bright * (1 - 0.7 * lighting_.sky.beam);
-    return {of_sky * (1 - 0.55 * blue), of_sky * (1 - 0.25 * blue), of_sky};
-  }
-
-  [[nodiscard]] Bands surface_from_above(const Ray& ray, const Triple<double>& n) const noexcept {
-    const double cosine = -dot(ray.direction, n);
-    const double mirrored = mirrored_share(cosine);
-    Bands light = sky(ray.direction + (2 * cosine) * n);
-    const double glint = sun_in_sea(ray, n);
-    const ColouredClarity& water = lighting_.water;
-    for (std::size_t k = 0; k < light.size(); ++k) {
-      const double absorbed =
-          std::max(water.backscatter_per_m,
-                   0.83 * water.diffuse_attenuation_per_m[k] - water.backscatter_per_m);
-      const double back = absorbed > 0 ? 0.33 * water.backscatter_per_m / absorbed : 0;
-      light[k] =
-          mirrored * light[k] + (1 - mirrored) * 0.54 * back * white * water.daylight + glint;
-    }
-    return light;
-  }
-
-  [[nodiscard]] double sun_in_sea(const Ray& ray, const Triple<double>& n) const noexcept {
-    const Sky& sky = lighting_.sky;
-    if (!(sky.beam > 0)) return 0;
-    const double across_beam = sky.beam * lighting_.air.daylight / std::max(0.05, -sky.to_sun.z);
-    // A white face sends up its light over pi.
-    return white * constants::pi * across_beam *
-           sun_glint_per_sr(-1.0 * ray.direction, sky.to_sun, n, lighting_.sea_slope);
-  }
-
   [[nodiscard]] Bands surface_from_below(const Ray& ray, const Triple<double>& at_m,
                                          const Triple<double>& n) const noexcept {
     const double cosine = -dot(ray.direction, n);
@@ -201,7 +167,7 @@ class Painter {
       const double leaving = std::sqrt(beyond);
       const double through = (1 - mirrored_share(leaving)) * water_index * water_index;
       const Triple<double> out = water_index * ray.direction + (water_index * cosine - leaving) * n;
-      light = sky(out);
+      light = sky_light(lighting_, out);
       for (double& one : light) one *= through;
       return light;
     }
