@@ -46,6 +46,7 @@ struct CameraView {
   twin::Picture picture;
   std::array<double, 9> matrix{};  ///< camera matrix, row by row
   std::size_t flakes = 0;          ///< of marine snow, in view or behind something
+  std::size_t drops = 0;           ///< of spray, likewise
   std::optional<RightView> right;  ///< of a pair: what is said here is of the left one
 };
 

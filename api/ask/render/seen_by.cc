@@ -59,6 +59,7 @@ class Looker {
         twin::truth_of(before_.scene, camera, before_.sensor.most_range_m, before_.threads, hits);
     const twin::CameraLight light = twin::light_in(there, camera, hits);
     seen.flakes = light.flakes;
+    seen.drops = light.drops;
     seen.picture = twin::developed(light.frame, sheet.sensor, before_.seed, before_.threads);
     if (sheet.baseline_m > 0)
       seen.right = right_of_pair(there, before_.sensor.most_range_m, {camera, seen.truth, hits});

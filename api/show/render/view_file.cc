@@ -103,6 +103,8 @@ void write_seen(const CameraView& seen, const RenderView& view, Writer& writer) 
   writer.attribute(Writer::global, "gain", seen.picture.gain);
   if (seen.flakes > 0)
     writer.attribute(Writer::global, "marine_snow_flakes", static_cast<double>(seen.flakes));
+  if (seen.drops > 0)
+    writer.attribute(Writer::global, "spray_drops", static_cast<double>(seen.drops));
   if (seen.right) {
     writer.attribute(Writer::global, "baseline", seen.right->baseline_m);
     picture.add("disparity", Type::float32, "1",

@@ -17,8 +17,8 @@ Pinhole camera() { return {looking({0, 0, 10}, {1, 0, 10}), frame_of(wide, high,
 
 MarineSnow snow_of(double per_m3) {
   MarineSnow snow;
-  snow.per_m3 = per_m3;
-  snow.reach_m = 2;
+  snow.flakes.per_m3 = per_m3;
+  snow.flakes.reach_m = 2;
   return snow;
 }
 
@@ -73,7 +73,7 @@ TEST(MarineSnow, FlakesAreEvenlyInTheWater) {
   std::array<double, 4> by_depth{}, by_column{};
   double all = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed)
-    for (const Flake& flake : flakes_in_view(snow_of(80), camera(), seed)) {
+    for (const Speck& flake : flakes_in_view(snow_of(80), camera(), seed)) {
       const double share = (std::pow(flake.depth_m, 3) - 0.001) / (8 - 0.001);
       ASSERT_GE(share, -1e-9);
       ASSERT_LT(share, 1 + 1e-9);
@@ -94,7 +94,7 @@ TEST(MarineSnow, AFlakeAddsTheLightOfItsDisc) {
   lighting.lamps = {{{0, 0, 10}, {1, 0, 0}, 1.5}};
   const FrameHits hits = open_water();
   for (const double z : {0.3, 0.9, 1.8}) {
-    const Flake flake{100.2, 40.7, z};
+    const Speck flake{100.2, 40.7, z};
     const LightFrame out = with_flakes(dark(), {flake}, snow, lighting, 0, camera(), hits);
     const Pinhole eye = camera();
     const Triple<double> way = eye.direction(flake.u, flake.v);

@@ -89,6 +89,10 @@ TEST(RenderSensor, WhatCannotBeIsOneClearError) {
                  "marine_snow: {per_m3: 1, diameter_mm: 1, reflectance: 0.3, nearest_m: 3, "
                  "reach_m: 2}"),
          "expected more than nearest_m");
+  expect(said_of("spray", "spray: {per_m3: 1e5, diameter_mm: 1, nearest_m: 0.1, reach_m: 10}"),
+         "drops a picture, expected 1000000 at most");
+  expect(said_of("spray", "spray: {per_m3: 1, diameter_mm: 1, nearest_m: 3, reach_m: 2}"),
+         "no drops would be seen");
   expect(said_of("shutter", "shutter: {line_time_s: 1}"), "line_time_s");
   expect(said_of("stereo", "stereo: {baseline_m: 0}"), "baseline_m");
   expect(said_of("lamps", "lamps: [{position_m: [0, 0], range_m: 2, beam_deg: 100}]"),

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "twin/render/light/spray.h"
+
 namespace slackwater::twin {
 
 CameraLight light_in(const CameraThere& there, const Pinhole& camera, const FrameHits& hits) {
@@ -24,6 +26,12 @@ CameraLight light_behind_lens(LightFrame of_scene, const CameraThere& there, con
     seen.flakes = all.size();
     seen.frame = with_flakes(seen.frame, all, *sheet.marine_snow, there.lighting,
                              there.scene.surface_m, camera, hits);
+  }
+  if (sheet.spray && !is_under_water) {
+    const auto all = drops_in_view(*sheet.spray, camera, there.seed);
+    seen.drops = all.size();
+    seen.frame = with_drops(seen.frame, all, *sheet.spray, there.lighting, there.scene.surface_m,
+                            camera, hits);
   }
   if (sheet.shutter)
     seen.frame =

@@ -11,7 +11,7 @@ struct CameraThere {
   const RenderScene& scene;
   const Lighting& lighting;  ///< with its lamps
   Pose pose;
-  std::uint64_t seed = 0;  ///< of flakes
+  std::uint64_t seed = 0;  ///< of flakes and drops
   int threads = 1;
 };
 
@@ -19,11 +19,12 @@ struct CameraThere {
 struct CameraLight {
   LightFrame frame;
   std::size_t flakes = 0;  ///< of marine snow, in view or behind something
+  std::size_t drops = 0;   ///< of spray, likewise
 };
 
 /// The light of a scene (`light_of`), and what its sheet has of, in this order: blur by the water's
-/// forward scatter, marine snow (flakes are near, and not blurred as what lies behind them), smear
-/// by what moves. What is of water is left out in air.
+/// forward scatter, marine snow (flakes are near, and not blurred as what lies behind them) or
+/// spray, smear by what moves. What is of water is left out in air, spray in water.
 [[nodiscard]] CameraLight light_in(const CameraThere& there, const Pinhole& camera,
                                    const FrameHits& hits);
 /// What becomes of the scene's light on its way into the camera: the second half of it.

@@ -69,31 +69,36 @@ FrameFootprint read_lens(const Config& c) {
   return frame;
 }
 
+Specks read_specks(const Config& c, const CameraSheet& camera, const char* what) {
+  Specks specks;
+  specks.per_m3 = c.number("per_m3", {0, 1e5});
+  specks.diameter_m = 1e-3 * c.number("diameter_mm", {0.05, 50});
+  specks.nearest_m = c.number("nearest_m", {0.01, 10});
+  specks.reach_m = c.number("reach_m", {0.02, 20});
+  if (!(specks.nearest_m < specks.reach_m))
+    c.refuse("reach_m", formatted("expected more than nearest_m; no {} would be seen", what));
+  constexpr double most = 1e6;
+  const Pinhole camera_at({{}, {1, 0, 0}, {0, 1, 0}, {}, {}}, camera.frame);
+  const double mean =
+      specks.per_m3 * volume_in_view_m3(camera_at, specks.nearest_m, specks.reach_m);
+  if (mean > most)
+    c.refuse("per_m3", formatted("makes {:.0f} {} a picture, expected {:.0f} at most; take fewer, "
+                                 "or a shorter reach_m",
+                                 mean, what, most));
+  return specks;
+}
+
 void read_effects(const Config& c, CameraSheet& camera) {
   if (const auto shutter = c.optional_child("shutter"))
     camera.shutter = {camera.frame.exposure_s, shutter->number("line_time_s", {0, 0.01})};
   if (const auto scatter = c.optional_child("forward_scatter"))
     camera.forward_scatter = {scatter->number("per_length", {0, 10}),
                               constants::degree * scatter->number("spread_deg", {0, 10})};
-  const auto snow = c.optional_child("marine_snow");
-  if (!snow) return;
-  MarineSnow flakes;
-  flakes.per_m3 = snow->number("per_m3", {0, 1e5});
-  flakes.diameter_m = 1e-3 * snow->number("diameter_mm", {0.05, 50});
-  flakes.reflectance = snow->number("reflectance", {0, 1});
-  flakes.nearest_m = snow->number("nearest_m", {0.01, 10});
-  flakes.reach_m = snow->number("reach_m", {0.02, 20});
-  if (!(flakes.nearest_m < flakes.reach_m))
-    snow->refuse("reach_m", "expected more than nearest_m; no flake would be seen");
-  constexpr double most_flakes = 1e6;
-  const Pinhole camera_at({{}, {1, 0, 0}, {0, 1, 0}, {}, {}}, camera.frame);
-  const double mean =
-      flakes.per_m3 * volume_in_view_m3(camera_at, flakes.nearest_m, flakes.reach_m);
-  if (mean > most_flakes)
-    snow->refuse("per_m3", formatted("makes {:.0f} flakes a picture, expected {:.0f} at most; "
-                                     "take fewer, or a shorter reach_m",
-                                     mean, most_flakes));
-  camera.marine_snow = flakes;
+  if (const auto snow = c.optional_child("marine_snow"))
+    camera.marine_snow = {read_specks(*snow, camera, "flakes"),
+                          snow->number("reflectance", {0, 1})};
+  if (const auto spray = c.optional_child("spray"))
+    camera.spray = read_specks(*spray, camera, "drops");
 }
 
 CameraSheet read_camera(const Config& c) {

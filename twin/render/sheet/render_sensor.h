@@ -14,6 +14,7 @@
 #include "twin/render/light/marine_snow.h"
 #include "twin/render/light/picture.h"
 #include "twin/render/light/shutter.h"
+#include "twin/render/light/specks.h"
 #include "twin/render/ranging/current_profile.h"
 #include "twin/render/ranging/echo_sounder.h"
 #include "twin/render/ranging/imaging_sonar.h"
@@ -45,6 +46,7 @@ struct CameraSheet {
   std::optional<Shutter> shutter;  ///< of a camera that moves while it sees
   std::optional<ForwardScatter> forward_scatter;
   std::optional<MarineSnow> marine_snow;
+  std::optional<Specks> spray;
 };
 
 /// A camera of heat.
@@ -95,7 +97,8 @@ struct RenderSensor {
 ///     stereo: {baseline_m}         # of a pair of cameras: what is said is of the left one
 ///     shutter: {line_time_s}                  # optional: what moves smears, row after row
 ///     forward_scatter: {per_length, spread_deg}                   # optional: water that blurs
-///     marine_snow: {per_m3, diameter_mm, reflectance, nearest_m, reach_m}           # optional
+///     marine_snow: {per_m3, diameter_mm, reflectance, nearest_m, reach_m}  # optional, in water
+///     spray: {per_m3, diameter_mm, nearest_m, reach_m}                     # optional, in air
 ///     lamps: [{position_m, axis, range_m, beam_deg (whole)}, ...]                # of a camera
 ///     lidar: {channels, lowest_deg, highest_deg, columns, noise_sd_m, dropout, ...}   # lidar.h
 ///     sonar: {beams, across_deg, beam_deg, upright_deg, rays, bins, ...}    # imaging_sonar.h

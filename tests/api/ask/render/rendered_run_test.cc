@@ -209,6 +209,19 @@ TEST_F(RenderedRunOfARun, BlurAndMarineSnowLeaveTheTruthAsItIs) {
   EXPECT_EQ(blurred.picture.rgb, again.picture.rgb);
 }
 
+TEST_F(RenderedRunOfARun, SprayLeavesTheTruthAsItIs) {
+  const auto clear = std::get<api::CameraView>(rendered("uav_camera", "uav").view_at(1).seen);
+  const auto wet =
+      std::get<api::CameraView>(rendered("uav_camera_in_spray", "uav").view_at(1).seen);
+  EXPECT_EQ(clear.truth.instance, wet.truth.instance);
+  EXPECT_EQ(clear.drops, 0U);
+  EXPECT_GT(wet.drops, 100U);
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < clear.picture.rgb.size(); ++i)
+    changed += clear.picture.rgb[i] != wet.picture.rgb[i];
+  EXPECT_GT(changed, 0U);
+}
+
 // The second picture is that of a camera 0.12 m to the right; f b / z by the file's own matrix.
 TEST_F(RenderedRunOfARun, APairOfCamerasHasItsDisparity) {
   const api::RenderView view = rendered("rov_stereo").view_at(2);
