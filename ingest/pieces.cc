@@ -6,8 +6,8 @@
 #include <iterator>
 #include <sstream>
 
-#include "fields/base/averaging.h"
 #include "fields/base/error.h"
+#include "fields/base/numbers/averaging.h"
 #include "fields/base/text.h"
 #include "fields/geo/coverage.h"
 #include "fields/record/mooring.h"

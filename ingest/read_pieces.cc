@@ -6,8 +6,8 @@
 #include <cstring>
 #include <tuple>
 
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 #include "fields/geo/coverage.h"
 #include "ingest/pieces.h"
 #include "ingest/publication.h"

@@ -7,7 +7,7 @@
 
 #include "data/store/store.h"
 #include "fields/service/field.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 
 // Which forecast answers. Every door asks here: the commands, the HTTP service, the twin.
 

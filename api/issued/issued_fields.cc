@@ -12,7 +12,7 @@
 #include "data/store/proven_content.h"
 #include "fields/base/error.h"
 #include "fields/base/log.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 
 namespace slackwater::api {
 namespace {

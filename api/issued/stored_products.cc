@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "fields/base/sha256.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/text.h"
 #include "ingest/pieces.h"
 

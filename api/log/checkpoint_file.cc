@@ -8,8 +8,8 @@
 
 #include "api/log/state_json.h"
 #include "data/store/durable.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 #include "fields/base/whole_file.h"
 
 namespace slackwater::api {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "fields/base/whole_file.h"

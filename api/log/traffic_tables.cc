@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 #include "twin/body/frame.h"
 
 namespace slackwater::api {

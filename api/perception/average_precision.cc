@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::api {
 namespace {

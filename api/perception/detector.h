@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "api/perception/detection.h"
-#include "twin/render/light/picture.h"
+#include "twin/render/lens/picture.h"
 
 namespace slackwater::api {
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "twin/render/light/picture.h"
+#include "twin/render/lens/picture.h"
 
 namespace slackwater::api {
 

@@ -7,8 +7,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "api/perception/network_file.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

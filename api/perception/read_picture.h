@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <filesystem>
 
-#include "twin/render/light/picture.h"
+#include "twin/render/lens/picture.h"
 
 namespace slackwater::api {
 

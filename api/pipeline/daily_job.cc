@@ -4,7 +4,7 @@
 
 #include "api/pipeline/job_summary.h"
 #include "api/program/version.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 
 namespace slackwater::api {
 

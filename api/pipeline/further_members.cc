@@ -14,7 +14,7 @@
 #include "fields/base/attempt.h"
 #include "fields/base/error.h"
 #include "fields/site/site.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 
 namespace slackwater::api {
 namespace {

@@ -14,7 +14,7 @@ struct HindcastOptions {
   Duration latency{0};  ///< a day's data are available when it ends plus this
   Duration horizon = std::chrono::hours(72);
   /// Under `forecast`, where no run published by a day's issue time is stored: simulate one
-  /// (calibration/day/simulated_run.h), and say so. Else the wind is held, as it was live.
+  /// (calibration/day/given/simulated_run.h), and say so. Else the wind is held, as it was live.
   bool simulate_wind = false;
   std::uint64_t seed = 1;  ///< of members, and of simulated winds
   int threads = 2;

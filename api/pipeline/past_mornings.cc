@@ -8,7 +8,7 @@
 #include "fields/base/attempt.h"
 #include "fields/base/log.h"
 #include "fields/base/parallel.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 
 namespace slackwater::api {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 
 namespace slackwater::api {
 namespace {

@@ -6,7 +6,7 @@
 #include "fields/base/attempt.h"
 #include "fields/base/error.h"
 #include "fields/base/log.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 
 namespace slackwater::api {
 namespace {

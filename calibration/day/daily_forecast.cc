@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "calibration/day/bed_note.h"
+#include "calibration/day/column/unresolved_tide.h"
 #include "calibration/day/day_choice.h"
+#include "calibration/day/given/bed_note.h"
 #include "calibration/day/issued_blend.h"
 #include "calibration/day/issued_snapshot.h"
 #include "calibration/day/past_plan.h"
 #include "calibration/day/troubles.h"
-#include "calibration/day/unresolved_tide.h"
 #include "calibration/day/widen.h"
-#include "fields/base/averaging.h"
+#include "fields/base/numbers/averaging.h"
 #include "fields/base/parallel.h"
 #include "fields/service/bed_rule.h"
 

@@ -7,9 +7,9 @@
 #include "calibration/day/computed_waves.h"
 #include "calibration/day/day_parts.h"
 #include "calibration/day/forecast_column.h"
-#include "calibration/day/forecast_plan.h"
+#include "calibration/day/given/forecast_plan.h"
+#include "calibration/day/given/stand_in.h"
 #include "calibration/day/rehearsal.h"
-#include "calibration/day/stand_in.h"
 #include "fields/record/site_data.h"
 #include "fields/service/snapshot.h"
 

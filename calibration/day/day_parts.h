@@ -2,13 +2,13 @@
 #include <functional>
 #include <vector>
 
+#include "calibration/day/column/unresolved_tide.h"
 #include "calibration/day/earned_heights.h"
 #include "calibration/day/forecast_column.h"
+#include "calibration/day/given/stand_in.h"
 #include "calibration/day/issued_blend.h"
 #include "calibration/day/leading_day.h"
 #include "calibration/day/rehearsal.h"
-#include "calibration/day/stand_in.h"
-#include "calibration/day/unresolved_tide.h"
 
 namespace slackwater::calibration {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "calibration/day/given/surface_truth.h"
 #include "calibration/day/past_plan.h"
-#include "calibration/day/surface_truth.h"
 #include "fields/base/constants.h"
 #include "fields/base/parallel.h"
 #include "fields/base/text.h"

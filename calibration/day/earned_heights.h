@@ -4,8 +4,8 @@
 #include <string>
 
 #include "calibration/day/forecast_column.h"
-#include "calibration/day/forecast_plan.h"
-#include "calibration/day/height_source.h"
+#include "calibration/day/given/forecast_plan.h"
+#include "calibration/day/given/height_source.h"
 #include "fields/record/site_data.h"
 
 /// What past days say of the wave heights of a forecast.

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/day/driving_ensemble.h"
-#include "calibration/day/height_source.h"
-#include "calibration/day/horizon_wind_error.h"
-#include "calibration/day/methods.h"
+#include "calibration/day/column/methods.h"
+#include "calibration/day/given/driving_ensemble.h"
+#include "calibration/day/given/height_source.h"
+#include "calibration/day/given/horizon_wind_error.h"
 #include "calibration/day/sources.h"
 #include "fields/record/slice.h"
 

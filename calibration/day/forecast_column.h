@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "calibration/day/column_calibration.h"
-#include "calibration/day/forecast_plan.h"
-#include "calibration/day/horizon.h"
-#include "calibration/day/known_currents.h"
-#include "calibration/day/layer_of_days.h"
+#include "calibration/day/column/column_calibration.h"
+#include "calibration/day/column/layer_of_days.h"
+#include "calibration/day/column/tide_of_record.h"
+#include "calibration/day/given/forecast_plan.h"
+#include "calibration/day/given/horizon.h"
+#include "calibration/day/given/known_currents.h"
+#include "calibration/day/given/sea_level.h"
 #include "calibration/day/part_failure.h"
-#include "calibration/day/sea_level.h"
-#include "calibration/day/tide_of_record.h"
 #include "calibration/propagate/propagate.h"
 #include "calibration/provider/provider_runs.h"
 #include "calibration/solve/calibration.h"

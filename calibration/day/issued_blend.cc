@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "calibration/day/merge.h"
-#include "calibration/day/methods.h"
+#include "calibration/day/column/merge.h"
+#include "calibration/day/column/methods.h"
 #include "fields/base/constants.h"
 
 namespace slackwater::calibration {

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "calibration/day/driving_ensemble.h"
+#include "calibration/day/given/driving_ensemble.h"
 #include "fields/base/text.h"
 
 namespace slackwater::calibration {

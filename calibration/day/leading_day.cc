@@ -3,9 +3,9 @@
 #include <set>
 #include <vector>
 
-#include "calibration/day/known_currents.h"
-#include "calibration/day/whole_day.h"
-#include "fields/base/averaging.h"
+#include "calibration/day/given/known_currents.h"
+#include "calibration/day/given/whole_day.h"
+#include "fields/base/numbers/averaging.h"
 #include "fields/record/leading_dataset.h"
 #include "fields/record/slice.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/day/simulated_run.h"
+#include "calibration/day/given/simulated_run.h"
 
 namespace slackwater::calibration {
 

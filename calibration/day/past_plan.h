@@ -1,6 +1,6 @@
 #pragma once
 #include "calibration/day/forecast_column.h"
-#include "calibration/day/forecast_plan.h"
+#include "calibration/day/given/forecast_plan.h"
 #include "fields/record/site_data.h"
 
 /// The plan of a forecast, moved to a past day that is rehearsed for it.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/day/known_currents.h"
+#include "calibration/day/column/methods.h"
+#include "calibration/day/given/known_currents.h"
 #include "calibration/day/leading_day.h"
-#include "calibration/day/methods.h"
 #include "calibration/day/past_plan.h"
 #include "fields/base/parallel.h"
 #include "fields/record/slice.h"

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "calibration/day/methods.h"
+#include "calibration/day/column/methods.h"
 #include "calibration/day/part_failure.h"
 
 namespace slackwater::calibration {

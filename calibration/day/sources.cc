@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "calibration/day/column/methods.h"
 #include "calibration/day/day_choice.h"
-#include "calibration/day/methods.h"
 
 namespace slackwater::calibration {
 

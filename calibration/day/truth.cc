@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "calibration/day/known_currents.h"
+#include "calibration/day/given/known_currents.h"
 #include "fields/interpolate/column_levels.h"
 #include "fields/record/slice.h"
 

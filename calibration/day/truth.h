@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "calibration/day/forecast_plan.h"
+#include "calibration/day/given/forecast_plan.h"
 #include "fields/record/choose.h"
 #include "fields/record/site_data.h"
 

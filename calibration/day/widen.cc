@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fields/base/averaging.h"
+#include "fields/base/numbers/averaging.h"
 #include "fields/base/parallel.h"
 
 namespace slackwater::calibration {

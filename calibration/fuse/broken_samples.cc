@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 
 namespace slackwater::calibration {
 namespace {

@@ -7,7 +7,7 @@
 #include "calibration/fuse/comparison.h"
 #include "calibration/fuse/error_filter.h"
 #include "fields/base/check.h"
-#include "fields/base/square.h"
+#include "fields/base/numbers/square.h"
 
 namespace slackwater::calibration {
 namespace {

@@ -10,7 +10,7 @@
 #include "calibration/fuse/instrument_noise.h"
 #include "calibration/fuse/tide_agreement.h"
 #include "fields/base/check.h"
-#include "fields/base/square.h"
+#include "fields/base/numbers/square.h"
 #include "fields/base/text.h"
 
 namespace slackwater::calibration {

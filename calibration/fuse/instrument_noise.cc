@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 
 namespace slackwater::calibration {
 namespace {

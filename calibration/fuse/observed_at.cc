@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 
 namespace slackwater::calibration {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "calibration/fuse/comparison.h"
 #include "calibration/fuse/observed_at.h"
-#include "fields/base/averaging.h"
+#include "fields/base/numbers/averaging.h"
 
 namespace slackwater::calibration {
 namespace {

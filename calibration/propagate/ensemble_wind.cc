@@ -8,7 +8,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
-#include "fields/base/square.h"
+#include "fields/base/numbers/square.h"
 
 namespace slackwater::calibration {
 namespace {

@@ -7,7 +7,7 @@
 #include "calibration/propagate/hourly_values.h"
 #include "calibration/propagate/level_regression.h"
 #include "calibration/propagate/memory_kernel.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::calibration {
 

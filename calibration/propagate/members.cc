@@ -6,7 +6,7 @@
 #include <string>
 
 #include "calibration/propagate/member_wind.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::calibration {
 namespace {

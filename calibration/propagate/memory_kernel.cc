@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fields/base/check.h"
-#include "fields/base/square.h"
+#include "fields/base/numbers/square.h"
 
 namespace slackwater::calibration {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "fields/base/frame.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/base/time.h"
 
 namespace slackwater::calibration {
@@ -39,9 +39,9 @@ struct WindErrorGrowth {
 /// buoy 61198 (Cabo de Gata); the root mean square of the two.
 inline constexpr double wind_climate_sigma_m_s = 4.8;
 /// E-folding time of the same wind, by which a persisted wind also relaxes to its mean
-/// (calibration/day/horizon.h): in NORA3 the correlation is 0.79, 0.60, 0.46, 0.36 after 6, 12, 18,
-/// 24 h, as of an exponential of 26, 24, 23, 24 h; 16 to 18 h at buoy 61198; of wind speed at alpha
-/// ventus, thirteen years, 26 to 31 h.
+/// (calibration/day/given/horizon.h): in NORA3 the correlation is 0.79, 0.60, 0.46, 0.36 after 6,
+/// 12, 18, 24 h, as of an exponential of 26, 24, 23, 24 h; 16 to 18 h at buoy 61198; of wind speed
+/// at alpha ventus, thirteen years, 26 to 31 h.
 inline constexpr double wind_memory_h = 24.0;
 
 /// Of a wind that is an analysis (or reanalysis) of the time itself: 1 m/s per component, lasting 6

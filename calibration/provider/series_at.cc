@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "fields/interpolate/temporal.h"
 
 namespace slackwater::calibration {

@@ -8,7 +8,7 @@
 #include "calibration/skill/reference_slab.h"
 #include "calibration/skill/tide_baseline.h"
 #include "fields/base/check.h"
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 
 namespace slackwater::calibration {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fields/base/check.h"
-#include "fields/base/quantile.h"
+#include "fields/base/numbers/quantile.h"
 
 namespace slackwater::calibration {
 namespace {

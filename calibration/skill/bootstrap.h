@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 // How far a mean of correlated numbers may lie from the truth. Errors of one day resemble those of
 // the day before, errors of one hour those of the last: drawn one by one they claim far too much.

@@ -7,7 +7,7 @@
 #include "calibration/skill/bootstrap.h"
 #include "calibration/skill/predictive.h"
 #include "fields/base/frame.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::calibration {
 

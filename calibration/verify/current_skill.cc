@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/day/methods.h"
+#include "calibration/day/column/methods.h"
 #include "calibration/day/truth.h"
-#include "fields/base/averaging.h"
 #include "fields/base/constants.h"
+#include "fields/base/numbers/averaging.h"
 #include "fields/base/parallel.h"
 
 namespace slackwater::calibration {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <map>
 
-#include "calibration/day/surface_truth.h"
+#include "calibration/day/given/surface_truth.h"
 #include "calibration/verify/current_skill.h"
-#include "fields/base/averaging.h"
+#include "fields/base/numbers/averaging.h"
 #include "fields/interpolate/temporal.h"
 #include "fields/record/choose.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "calibration/day/surface_truth.h"
+#include "calibration/day/given/surface_truth.h"
 #include "fields/base/constants.h"
 #include "fields/interpolate/column_levels.h"
 #include "fields/record/choose.h"

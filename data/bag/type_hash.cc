@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "fields/base/sha256.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/text.h"
 
 namespace slackwater::bag {

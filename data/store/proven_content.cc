@@ -11,8 +11,8 @@
 
 #include "data/store/layout.h"
 #include "fields/base/check.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 
 namespace slackwater::store {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "fields/service/field.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 
 int main(int argc, char** argv) try {
   using namespace slackwater;

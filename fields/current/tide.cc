@@ -6,7 +6,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "fields/current/astronomy.h"
 #include "fields/current/tidal_carriers.h"
 

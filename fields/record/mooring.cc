@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "fields/base/averaging.h"
+#include "fields/base/numbers/averaging.h"
 
 namespace slackwater {
 namespace {

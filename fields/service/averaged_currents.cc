@@ -1,6 +1,6 @@
 #include "fields/service/averaged_currents.h"
 
-#include "fields/base/averaging.h"
+#include "fields/base/numbers/averaging.h"
 #include "fields/base/text.h"
 
 namespace slackwater {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/base/text.h"
 #include "fields/service/bed_rule.h"
 

@@ -5,7 +5,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
-#include "fields/base/square.h"
+#include "fields/base/numbers/square.h"
 #include "fields/base/turn.h"
 
 namespace slackwater {

@@ -1,7 +1,7 @@
 #pragma once
 // For sea_kernel.cc only, see lanes.h. Coefficients: near-minimax fits (Lawson's reweighted least
 // squares on 400 Chebyshev nodes), errors measured over 200 001 arguments.
-#include "fields/base/lanes.h"
+#include "fields/base/numbers/lanes.h"
 
 namespace slackwater::SLACKWATER_KERNEL {
 

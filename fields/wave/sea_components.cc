@@ -7,7 +7,7 @@
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/base/text.h"
 #include "fields/wave/spreading.h"
 #include "fields/wave/variance_division.h"

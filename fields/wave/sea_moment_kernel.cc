@@ -50,7 +50,7 @@ struct Waves {
 
 /// As floats. A phase of many turns is brought to its rest as a double first.
 void convert(const SeaKernelWaves& from, const SeaKernelPlace& reference, Waves& to) {
-  constexpr double rounder = 6755399441055744.0;  // 1.5 2^52, see fields/base/lanes.h
+  constexpr double rounder = 6755399441055744.0;  // 1.5 2^52, see fields/base/numbers/lanes.h
   using Doubles [[gnu::vector_size(64)]] = double;
   const auto doubles = [](const double* values) {
     Doubles out;

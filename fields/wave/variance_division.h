@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/wind/gust.h"
 
 namespace slackwater {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fields/base/error.h"
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "ingest/cf/text_scanner.h"
 
 namespace slackwater::ingest {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 #include "fields/base/text.h"
 #include "fields/geo/coverage.h"
 

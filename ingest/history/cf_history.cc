@@ -7,7 +7,7 @@
 #include "fields/base/advice.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "fields/base/text.h"
 #include "ingest/cf/units.h"
 #include "ingest/history/read_wanted.h"

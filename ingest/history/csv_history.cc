@@ -10,7 +10,7 @@
 
 #include "fields/base/advice.h"
 #include "fields/base/constants.h"
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "ingest/cf/units.h"

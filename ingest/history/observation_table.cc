@@ -8,7 +8,7 @@
 #include <set>
 
 #include "fields/base/constants.h"
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "ingest/history/read_wanted.h"

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "fields/base/error.h"
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "ingest/insitu/series_values.h"
 
 namespace slackwater::ingest {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "fields/base/error.h"
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "fields/base/text.h"
 #include "ingest/insitu/series_values.h"
 

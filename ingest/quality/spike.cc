@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fields/base/check.h"
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 
 namespace slackwater::ingest {
 namespace {

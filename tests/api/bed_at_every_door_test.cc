@@ -10,7 +10,7 @@
 #include "api/ask/run/scenario_run.h"
 #include "api/door/edr/service.h"
 #include "api/issued/in_force.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 #include "twin/environment/environment.h"

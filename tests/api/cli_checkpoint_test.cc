@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "fields/base/sha256.h"
+#include "fields/base/encode/sha256.h"
 #include "ingest/cf/trajectory_file.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"

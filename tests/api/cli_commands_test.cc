@@ -8,7 +8,7 @@
 #include <regex>
 #include <sstream>
 
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/support/contains.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 

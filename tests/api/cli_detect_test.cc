@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "fields/base/sha256.h"
+#include "fields/base/encode/sha256.h"
 #include "tests/api/perception/plates_for_tests.h"
 #include "tests/support/contains.h"
 #include "tests/support/refusal.h"

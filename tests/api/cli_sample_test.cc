@@ -10,10 +10,10 @@
 #include <sstream>
 
 #include "data/store/store.h"
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 #include "fields/service/field.h"
-#include "ingest/cf/forecast_file.h"
-#include "ingest/cf/provenance_json.h"
+#include "ingest/cf/forecast/forecast_file.h"
+#include "ingest/cf/forecast/provenance_json.h"
 #include "ingest/netcdf/file.h"
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/store_for_tests.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 #include "ingest/cf/trajectory_file.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/store_for_tests.h"

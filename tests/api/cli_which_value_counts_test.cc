@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fields/wind/log_profile.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 

@@ -1,7 +1,7 @@
 // Daylight asked for beyond the polar circle: the answer says what kind of day it is.
 #include <gtest/gtest.h>
 
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/api/windows_command.h"
 #include "tests/support/made_up_forecast.h"
 

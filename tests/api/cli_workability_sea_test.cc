@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/base/text.h"
 #include "tests/support/contains.h"
 #include "tests/support/refusal.h"

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 
 namespace slackwater::bench {
 namespace {

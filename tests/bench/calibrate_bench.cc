@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "calibration/solve/calibration.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/current/steady_column.h"
 #include "fields/current/stress_series.h"
 #include "tests/bench/bench_report.h"

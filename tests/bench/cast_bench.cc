@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "fields/base/constants.h"
+#include "fields/base/numbers/random.h"
 #include "fields/base/parallel.h"
-#include "fields/base/random.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/counted_allocations.h"
 #include "tests/twin/inspection/brute_force_caster.h"

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/service/field_service.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/counted_allocations.h"

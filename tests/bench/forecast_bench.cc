@@ -7,7 +7,7 @@
 #include <exception>
 
 #include "fields/service/snapshot.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/synthetic_store.h"
 #include "tests/bench/timed_child.h"

@@ -20,7 +20,7 @@
 #include <thread>
 
 #include "fields/service/field.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/http_load.h"
 #include "tests/bench/synthetic_store.h"

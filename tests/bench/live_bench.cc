@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "api/door/live/live_run.h"
-#include "api/door/live/recording_outlet.h"
+#include "api/door/live/topics/recording_outlet.h"
 #include "data/bag/bag.h"
 #include "tests/api/door/dds/own_domain.h"
 #include "tests/bench/bench_report.h"

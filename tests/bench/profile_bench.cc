@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fields/service/field.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/counted_allocations.h"
 #include "tests/bench/synthetic_store.h"

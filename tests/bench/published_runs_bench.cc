@@ -16,7 +16,7 @@
 #include <memory>
 #include <string>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/bench/bench_report.h"
 #include "tests/published/fit_profile.h"
 #include "tests/published/published_profiles.h"

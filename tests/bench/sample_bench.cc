@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "data/store/store.h"
-#include "fields/base/random.h"
-#include "ingest/cf/forecast_file.h"
+#include "fields/base/numbers/random.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "ingest/netcdf/file.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/timed_child.h"

@@ -8,7 +8,7 @@
 
 #include "data/store/store.h"
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "ingest/cf/granule_file.h"
 #include "ingest/netcdf/file.h"
 

@@ -4,7 +4,7 @@
 
 #include "calibration/residuals/column_rows.h"
 #include "calibration/solve/parameter_set.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::bench {
 namespace {

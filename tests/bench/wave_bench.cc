@@ -9,7 +9,7 @@
 #include <exception>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/wave/sea_sampling.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/counted_allocations.h"

@@ -5,10 +5,10 @@
 #include <ctime>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/bench/bench_report.h"
-#include "twin/risk/phase_plan.h"
 #include "twin/risk/start_chances.h"
+#include "twin/risk/workability/phase_plan.h"
 
 namespace {
 

@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/timed_child.h"
 #include "tests/support/temporary_folder.h"
 #include "twin/risk/bound.h"
-#include "twin/risk/workability.h"
+#include "twin/risk/workability/workability.h"
 
 namespace {
 

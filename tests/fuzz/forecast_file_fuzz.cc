@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "fields/service/field.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/fuzz/fuzz_case.h"
 #include "tests/fuzz/scratch_folder.h"
 

@@ -6,7 +6,7 @@
 #include "api/door/edr/read/parameter_names.h"
 #include "api/door/edr/read/query_string.h"
 #include "api/door/edr/write/content.h"
-#include "fields/base/percent.h"
+#include "fields/base/encode/percent.h"
 #include "tests/fuzz/fuzz_case.h"
 
 namespace {

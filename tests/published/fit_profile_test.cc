@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/published/synthetic_profile.h"
 #include "tests/support/asked_number.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "tests/published/held_out.h"
 #include "tests/published/joined_dots.h"
 #include "tests/published/published_profiles.h"

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "tests/published/held_out.h"
 #include "tests/support/shared_data.h"
 

@@ -7,7 +7,7 @@
 
 #include "api/made_up/synthetic/product_files.h"
 #include "api/pipeline/daily_job.h"
-#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/ingest/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "fields/base/constants.h"
 #include "ingest/copernicus/product_catalogue.h"

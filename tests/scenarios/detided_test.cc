@@ -7,9 +7,9 @@
 #include <cstdio>
 
 #include "api/pipeline/daily_job.h"
-#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/ingest/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/current/coriolis.h"
 #include "ingest/copernicus/product_catalogue.h"
 #include "tests/support/product_files_for_tests.h"

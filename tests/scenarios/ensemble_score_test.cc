@@ -9,7 +9,7 @@
 #include "calibration/skill/predictive.h"
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::calibration::ensemble_score_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "api/made_up/synthetic/product_files.h"
-#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/ingest/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "calibration/day/daily_forecast.h"
 #include "calibration/verify/score_forecast.h"

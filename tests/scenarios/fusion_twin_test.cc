@@ -13,7 +13,7 @@
 #include "api/pipeline/hindcast.h"
 #include "api/pipeline/job_summary.h"
 #include "api/pipeline/load_site_data.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/scenarios/real_pairs.h"
 #include "tests/support/point_series_for_tests.h"
 #include "tests/support/product_files_for_tests.h"

@@ -1,5 +1,5 @@
 // Otranto in August: the base of the mixed layer comes from the product's own temperatures.
-#include "calibration/day/layer_of_days.h"
+#include "calibration/day/column/layer_of_days.h"
 
 #include <gtest/gtest.h>
 

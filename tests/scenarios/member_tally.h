@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/service/snapshot.h"
 
 namespace slackwater::tests {

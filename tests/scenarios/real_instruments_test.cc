@@ -7,7 +7,7 @@
 
 #include "api/pipeline/load_site_data.h"
 #include "calibration/fuse/instrument_check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/scenarios/real_pairs.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/ingest/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "calibration/day/daily_forecast.h"
 #include "calibration/verify/score_forecast.h"

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/ingest/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "calibration/day/daily_forecast.h"
 #include "calibration/verify/score_forecast.h"

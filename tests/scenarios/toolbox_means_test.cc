@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "api/pipeline/daily_job.h"
-#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/ingest/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "ingest/copernicus/product_catalogue.h"
 #include "tests/support/product_files_for_tests.h"

@@ -18,7 +18,7 @@
 #include "data/bag/bag.h"
 #include "data/bag/recording.h"
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace {
 

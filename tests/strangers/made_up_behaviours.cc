@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/mission/tick.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/support/made_up_forecast.h"
 
 namespace {

@@ -3,9 +3,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "fields/base/random.h"
-#include "twin/risk/daylight.h"
-#include "twin/risk/sun_position.h"
+#include "fields/base/numbers/random.h"
+#include "twin/risk/workability/daylight.h"
+#include "twin/risk/workability/sun_position.h"
 
 int main(int argc, char** argv) {
   using namespace slackwater;

@@ -1,5 +1,5 @@
 #pragma once
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/body/body.h"
 #include "twin/body/mass_matrix.h"
 

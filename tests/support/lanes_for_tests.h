@@ -2,7 +2,7 @@
 // Eight lanes of the instruction set that the tests are built for, for formulas written over
 // `Real`.
 #define SLACKWATER_KERNEL lanes_of_tests
-#include "fields/base/lanes.h"
+#include "fields/base/numbers/lanes.h"
 
 namespace slackwater::tests {
 

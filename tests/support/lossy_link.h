@@ -5,7 +5,7 @@
 #include <functional>
 #include <thread>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::tests {
 

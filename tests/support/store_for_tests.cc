@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "fields/base/sha256.h"
+#include "fields/base/encode/sha256.h"
 #include "tests/support/product_files_for_tests.h"
 
 namespace slackwater::tests {

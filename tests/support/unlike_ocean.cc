@@ -7,7 +7,7 @@
 #include <string>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::tests {
 namespace {

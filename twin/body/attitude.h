@@ -1,10 +1,10 @@
 #pragma once
-#include "fields/base/real.h"
+#include "fields/base/numbers/real.h"
 
 namespace slackwater::twin {
 
 // Formulas of the step are written once over `Real`: double for one vehicle, eight lanes for many
-// (fields/base/lanes.h).
+// (fields/base/numbers/lanes.h).
 
 /// Three components; the frame is said by the name of the variable.
 template <typename Real>

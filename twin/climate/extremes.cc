@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "fields/base/check.h"
-#include "fields/base/quantile.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/quantile.h"
+#include "fields/base/numbers/random.h"
 #include "twin/climate/known_months.h"
-#include "twin/risk/calendar.h"
+#include "twin/risk/workability/calendar.h"
 
 namespace slackwater::twin {
 namespace {

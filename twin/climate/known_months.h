@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "twin/risk/calendar.h"
+#include "twin/risk/workability/calendar.h"
 
 namespace slackwater::twin {
 

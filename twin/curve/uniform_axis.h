@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "fields/base/real.h"
+#include "fields/base/numbers/real.h"
 
 namespace slackwater::twin {
 

@@ -5,7 +5,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "fields/base/text.h"
 #include "twin/curve/named_file.h"
 #include "twin/inspection/defect/defect_plan.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "twin/inspection/inspection_outcome.h"
 
 namespace slackwater::twin {

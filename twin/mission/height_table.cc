@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/ascends.h"
+#include "fields/base/numbers/ascends.h"
 #include "fields/base/text.h"
 #include "fields/base/turn.h"
 

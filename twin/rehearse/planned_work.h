@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "twin/agent/agent.h"
-#include "twin/risk/phase_plan.h"
+#include "twin/risk/workability/phase_plan.h"
 
 namespace slackwater::twin {
 

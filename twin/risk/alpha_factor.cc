@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fields/base/ascends.h"
+#include "fields/base/numbers/ascends.h"
 #include "fields/base/text.h"
 
 namespace slackwater::twin {

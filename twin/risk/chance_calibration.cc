@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/square.h"
+#include "fields/base/numbers/square.h"
 
 namespace slackwater::twin {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/ascends.h"
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
+#include "fields/base/numbers/ascends.h"
 #include "fields/base/text.h"
 
 namespace slackwater::twin {

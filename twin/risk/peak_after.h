@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "twin/risk/start_steps.h"
-#include "twin/risk/step_range.h"
+#include "twin/risk/workability/step_range.h"
 
 namespace slackwater::twin {
 

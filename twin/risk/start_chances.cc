@@ -5,7 +5,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "twin/risk/first_stops.h"
 #include "twin/risk/peak_after.h"
 

@@ -6,8 +6,8 @@
 
 #include "twin/risk/bound.h"
 #include "twin/risk/start_steps.h"
-#include "twin/risk/step_range.h"
-#include "twin/risk/task_history.h"
+#include "twin/risk/workability/step_range.h"
+#include "twin/risk/workability/task_history.h"
 
 namespace slackwater::twin {
 

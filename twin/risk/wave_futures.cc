@@ -6,8 +6,8 @@
 #include <string>
 
 #include "fields/base/check.h"
-#include "fields/base/normal_quantile.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/normal_quantile.h"
+#include "fields/base/numbers/random.h"
 #include "fields/interpolate/temporal.h"
 #include "fields/wave/height_error.h"
 #include "fields/wave/height_spread.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::twin {
 

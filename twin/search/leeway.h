@@ -3,7 +3,7 @@
 #include <string>
 
 #include "fields/base/config.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/body/attitude.h"
 
 namespace slackwater::twin {

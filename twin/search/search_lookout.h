@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fields/base/config.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/body/attitude.h"
 
 namespace slackwater::twin {

@@ -1,6 +1,6 @@
 #include "twin/sensor/noise.h"
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::twin {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/mission/deck_motion.h"
 #include "twin/mission/phase.h"
 #include "twin/mission/tick.h"

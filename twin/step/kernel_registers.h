@@ -1,6 +1,6 @@
 #pragma once
-// For sources that are compiled once per instruction set, see fields/base/lanes.h.
-#include "fields/base/lanes.h"
+// For sources that are compiled once per instruction set, see fields/base/numbers/lanes.h.
+#include "fields/base/numbers/lanes.h"
 #include "twin/step/step_kernel.h"
 
 namespace slackwater::twin::SLACKWATER_KERNEL {

@@ -1,6 +1,6 @@
 #pragma once
 #include "fields/base/constants.h"
-#include "fields/base/real.h"
+#include "fields/base/numbers/real.h"
 #include "twin/tether/tether.h"
 
 namespace slackwater::twin {

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstddef>
 
-#include "fields/base/real.h"
+#include "fields/base/numbers/real.h"
 #include "twin/tether/tether.h"
 
 namespace slackwater::twin {

@@ -1,5 +1,5 @@
 #pragma once
-#include "fields/base/real.h"
+#include "fields/base/numbers/real.h"
 
 namespace slackwater::twin {
 

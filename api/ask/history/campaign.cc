@@ -5,7 +5,7 @@
 #include "api/ask/history/workability.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
-#include "twin/risk/workable_starts.h"
+#include "twin/risk/workability/workable_starts.h"
 
 namespace slackwater::api {
 namespace {

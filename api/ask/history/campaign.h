@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "api/ask/history/history.h"
-#include "twin/risk/campaign.h"
-#include "twin/risk/daylight.h"
+#include "twin/risk/workability/campaign.h"
+#include "twin/risk/workability/daylight.h"
 
 namespace slackwater::api {
 

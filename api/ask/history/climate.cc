@@ -9,10 +9,10 @@
 #include "fields/base/advice.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
-#include "fields/base/quantile.h"
+#include "fields/base/numbers/quantile.h"
 #include "fields/base/text.h"
 #include "ingest/cf/units.h"
-#include "twin/risk/workable_starts.h"
+#include "twin/risk/workability/workable_starts.h"
 
 namespace slackwater::api {
 namespace {

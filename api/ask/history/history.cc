@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "api/ask/history/sea_limit.h"
-#include "api/pipeline/read_history_apart.h"
+#include "api/pipeline/ingest/read_history_apart.h"
 #include "api/pipeline/store_history.h"
 #include "api/program/paths.h"
 #include "fields/base/advice.h"

@@ -9,7 +9,7 @@
 #include "fields/geo/geo_point.h"
 #include "fields/record/regular_history.h"
 #include "ingest/history/read_history.h"
-#include "twin/risk/workability.h"
+#include "twin/risk/workability/workability.h"
 
 namespace slackwater::api {
 

@@ -4,7 +4,7 @@
 
 #include "fields/base/error.h"
 #include "fields/base/text.h"
-#include "twin/risk/workable_starts.h"
+#include "twin/risk/workability/workable_starts.h"
 
 namespace slackwater::api {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "api/ask/history/history.h"
-#include "twin/risk/calendar.h"
-#include "twin/risk/daylight.h"
-#include "twin/risk/workability.h"
+#include "twin/risk/workability/calendar.h"
+#include "twin/risk/workability/daylight.h"
+#include "twin/risk/workability/workability.h"
 
 namespace slackwater::api {
 

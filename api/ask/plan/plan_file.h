@@ -6,8 +6,8 @@
 
 #include "api/ask/plan/plan_problem.h"
 #include "fields/site/site.h"
-#include "twin/risk/calendar.h"
-#include "twin/risk/daylight.h"
+#include "twin/risk/workability/calendar.h"
+#include "twin/risk/workability/daylight.h"
 
 namespace slackwater::api {
 

@@ -10,8 +10,8 @@
 #include "twin/inspection/instrument/look.h"
 #include "twin/render/frame/stereo.h"
 #include "twin/render/frame/truth_frame.h"
+#include "twin/render/lens/picture.h"
 #include "twin/render/light/infrared_frame.h"
-#include "twin/render/light/picture.h"
 #include "twin/render/sheet/render_sensor.h"
 
 namespace slackwater::api {

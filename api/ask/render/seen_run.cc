@@ -12,7 +12,7 @@
 #include "twin/render/light/sun_glint.h"
 #include "twin/render/scene/place_to_look_at.h"
 #include "twin/render/scene/scene_of_run.h"
-#include "twin/risk/sun_position.h"
+#include "twin/risk/workability/sun_position.h"
 
 namespace slackwater::api {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "api/ask/run/ais_traffic.h"
 #include "api/log/traffic_tables.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 #include "ingest/ais/read_ais.h"
 #include "twin/traffic/jumps.h"
 

@@ -8,7 +8,7 @@
 #include "api/log/inspection_log.h"
 #include "api/log/traffic_tables.h"
 #include "api/program/version.h"
-#include "fields/base/sha256.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

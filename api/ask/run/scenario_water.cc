@@ -5,13 +5,13 @@
 #include "api/pipeline/further_members.h"
 #include "api/program/paths.h"
 #include "data/store/store.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
 #include "fields/base/log.h"
-#include "fields/base/sha256.h"
 #include "fields/base/text.h"
 #include "fields/geo/local_frame.h"
 #include "fields/site/site.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "twin/environment/made_up_field.h"
 
 namespace slackwater::api {

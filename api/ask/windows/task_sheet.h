@@ -5,7 +5,7 @@
 
 #include "fields/base/config.h"
 #include "twin/mission/work_site.h"
-#include "twin/risk/daylight.h"
+#include "twin/risk/workability/daylight.h"
 
 namespace slackwater::api {
 

@@ -5,7 +5,7 @@
 #include "api/program/named_sheet.h"
 #include "twin/mission/read_seconds.h"
 #include "twin/rehearse/limit_ahead.h"
-#include "twin/risk/phase_plan.h"
+#include "twin/risk/workability/phase_plan.h"
 
 namespace slackwater::api {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "fields/site/site.h"
 #include "twin/mission/limit.h"
-#include "twin/risk/step_range.h"
+#include "twin/risk/workability/step_range.h"
 
 namespace slackwater::api {
 

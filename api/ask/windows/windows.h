@@ -10,14 +10,14 @@
 #include "api/ask/windows/alpha_practice.h"
 #include "fields/base/local_time.h"
 #include "twin/chance/success_interval.h"
-#include "twin/risk/calendar.h"
 #include "twin/risk/chance_calibration.h"
-#include "twin/risk/daylight.h"
 #include "twin/risk/past_verdicts.h"
-#include "twin/risk/phase_plan.h"
 #include "twin/risk/risk_register.h"
 #include "twin/risk/start_chances.h"
 #include "twin/risk/start_windows.h"
+#include "twin/risk/workability/calendar.h"
+#include "twin/risk/workability/daylight.h"
+#include "twin/risk/workability/phase_plan.h"
 
 namespace slackwater::api {
 

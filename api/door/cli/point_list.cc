@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 

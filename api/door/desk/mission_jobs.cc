@@ -6,9 +6,9 @@
 #include "api/door/desk/kept_answers.h"
 #include "api/door/desk/own_folder.h"
 #include "api/show/rehearse/rehearsal_json.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
 #include "fields/base/log.h"
-#include "fields/base/sha256.h"
 #include "fields/base/whole_file.h"
 
 namespace slackwater::api::desk {

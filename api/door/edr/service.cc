@@ -16,8 +16,8 @@
 #include "api/door/edr/write/html_page.h"
 #include "api/door/edr/write/metadata.h"
 #include "api/door/edr/write/openapi.h"
+#include "fields/base/encode/percent.h"
 #include "fields/base/error.h"
-#include "fields/base/percent.h"
 
 namespace slackwater::api::edr {
 namespace {

@@ -1,7 +1,7 @@
 #include "api/door/http/entity_tag.h"
 
 #include "api/door/http/field_list.h"
-#include "fields/base/sha256.h"
+#include "fields/base/encode/sha256.h"
 
 namespace slackwater::api::http {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "api/door/http/problem.h"
 #include "fields/base/check.h"
-#include "fields/base/percent.h"
+#include "fields/base/encode/percent.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api::http {

@@ -7,7 +7,7 @@
 #include "api/door/http/field_list.h"
 #include "api/door/http/problem.h"
 #include "api/door/http/response_head.h"
-#include "fields/base/sha1.h"
+#include "fields/base/encode/sha1.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api::http {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "api/door/live/command_door.h"
-#include "api/door/live/stream.h"
+#include "api/door/live/topics/stream.h"
 #include "data/store/session_action.h"
 
 namespace slackwater::live {

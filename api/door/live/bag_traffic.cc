@@ -6,8 +6,8 @@
 #include "api/door/dds/message/orders.h"
 #include "api/door/live/bag_clock.h"
 #include "data/bag/bag.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 #include "fields/base/text.h"
 #include "twin/agent/agent.h"
 

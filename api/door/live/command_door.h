@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "api/door/live/stream.h"
-#include "api/door/live/vehicle_publisher.h"
+#include "api/door/live/topics/stream.h"
+#include "api/door/live/topics/vehicle_publisher.h"
 #include "twin/helm/command_arbiter.h"
 
 namespace slackwater::live {

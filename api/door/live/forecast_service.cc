@@ -1,8 +1,8 @@
 #include "api/door/live/forecast_service.h"
 
 #include "api/door/dds/message/names.h"
-#include "api/door/live/dds_outlet.h"
 #include "api/door/live/profile_answer.h"
+#include "api/door/live/topics/dds_outlet.h"
 
 namespace slackwater::live {
 

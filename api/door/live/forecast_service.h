@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "api/door/dds/participant.h"
-#include "api/door/live/stream.h"
-#include "api/door/live/water_publisher.h"
+#include "api/door/live/topics/stream.h"
+#include "api/door/live/topics/water_publisher.h"
 #include "api/issued/issued_fields.h"
 
 namespace slackwater::live {

@@ -4,12 +4,12 @@
 #include <set>
 
 #include "api/door/dds/message/names.h"
-#include "api/door/live/alarm_publisher.h"
 #include "api/door/live/command_door.h"
 #include "api/door/live/dds_door.h"
-#include "api/door/live/dds_outlet.h"
-#include "api/door/live/site_publisher.h"
-#include "api/door/live/vehicle_publisher.h"
+#include "api/door/live/topics/alarm_publisher.h"
+#include "api/door/live/topics/dds_outlet.h"
+#include "api/door/live/topics/site_publisher.h"
+#include "api/door/live/topics/vehicle_publisher.h"
 #include "fields/base/text.h"
 #include "fields/geo/geoid.h"
 #include "twin/helm/command_arbiter.h"

@@ -13,8 +13,8 @@
 #include "api/door/live/host_link.h"
 #include "api/door/live/punctuality.h"
 #include "api/door/live/record_teller.h"
-#include "api/door/live/sensor_publisher.h"
-#include "api/door/live/stream.h"
+#include "api/door/live/topics/sensor_publisher.h"
+#include "api/door/live/topics/stream.h"
 
 namespace slackwater::live {
 

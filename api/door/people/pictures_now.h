@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "api/door/live/sensor_publisher.h"
+#include "api/door/live/topics/sensor_publisher.h"
 #include "api/door/people/role.h"
 
 namespace slackwater::people {

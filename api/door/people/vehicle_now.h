@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "api/ask/run/scenario_run.h"
-#include "api/door/live/reserve_advice.h"
-#include "api/door/live/vehicle_publisher.h"
+#include "api/door/live/topics/reserve_advice.h"
+#include "api/door/live/topics/vehicle_publisher.h"
 #include "api/door/people/surroundings.h"
 #include "api/door/people/wire/pose.h"
 

@@ -4,15 +4,15 @@
 
 #include "api/made_up/synthetic/product_files.h"
 #include "api/pipeline/daily_job.h"
-#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/ingest/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/pipeline/verify.h"
 #include "api/program/paths.h"
-#include "calibration/day/known_currents.h"
+#include "calibration/day/given/known_currents.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/record/slice.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"
 
 namespace slackwater::api {

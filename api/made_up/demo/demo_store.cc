@@ -5,8 +5,8 @@
 
 #include "api/made_up/demo/demo_run.h"
 #include "data/store/store.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

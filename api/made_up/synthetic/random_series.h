@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fields/base/frame.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/base/time.h"
 
 namespace slackwater::api {

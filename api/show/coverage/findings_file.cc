@@ -7,7 +7,7 @@
 
 #include "api/show/coverage/marks.h"
 #include "api/show/coverage/view.h"
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "fields/geo/local_frame.h"

@@ -1,7 +1,7 @@
 #include "api/show/coverage/marks.h"
 
 #include "api/show/coverage/tangents.h"
-#include "fields/base/html.h"
+#include "fields/base/encode/html.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

@@ -8,7 +8,7 @@
 #include "api/show/coverage/marks.h"
 #include "api/show/coverage/pictures.h"
 #include "api/show/report/html_page.h"
-#include "fields/base/quantile.h"
+#include "fields/base/numbers/quantile.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

@@ -6,7 +6,7 @@
 #include "api/show/coverage/sheet.h"
 #include "api/show/coverage/still.h"
 #include "api/show/report/html_page.h"
-#include "fields/base/html.h"
+#include "fields/base/encode/html.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

@@ -6,7 +6,7 @@
 
 #include "api/show/coverage/raster.h"
 #include "fields/base/angle.h"
-#include "fields/base/html.h"
+#include "fields/base/encode/html.h"
 #include "fields/base/text.h"
 #include "fields/base/turn.h"
 

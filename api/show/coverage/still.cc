@@ -8,7 +8,7 @@
 #include "api/show/coverage/tangents.h"
 #include "fields/base/angle.h"
 #include "fields/base/constants.h"
-#include "fields/base/html.h"
+#include "fields/base/encode/html.h"
 #include "fields/base/text.h"
 #include "fields/base/turn.h"
 

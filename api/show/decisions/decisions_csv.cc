@@ -1,6 +1,6 @@
 #include "api/show/decisions/decisions_csv.h"
 
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

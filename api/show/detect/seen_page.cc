@@ -7,8 +7,8 @@
 #include "api/perception/jpeg.h"
 #include "api/program/version.h"
 #include "api/show/report/html_page.h"
-#include "fields/base/base64.h"
 #include "fields/base/check.h"
+#include "fields/base/encode/base64.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

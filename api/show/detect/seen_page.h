@@ -5,7 +5,7 @@
 
 #include "api/ask/detect/run_finds.h"
 #include "api/show/detect/found_geojson.h"
-#include "twin/render/light/picture.h"
+#include "twin/render/lens/picture.h"
 
 namespace slackwater::api {
 

@@ -14,7 +14,7 @@
 #include "api/show/rehearse/risk_report.h"
 #include "api/show/report/time_text.h"
 #include "api/show/windows/past_words.h"
-#include "fields/base/html.h"
+#include "fields/base/encode/html.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

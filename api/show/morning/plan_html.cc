@@ -4,7 +4,7 @@
 #include "api/show/plan/plan_text.h"
 #include "api/show/report/html_page.h"
 #include "api/show/report/time_text.h"
-#include "fields/base/html.h"
+#include "fields/base/encode/html.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

@@ -7,7 +7,7 @@
 #include "api/show/morning/task_words.h"
 #include "api/show/report/time_text.h"
 #include "api/show/windows/windows_answer.h"
-#include "fields/base/html.h"
+#include "fields/base/encode/html.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

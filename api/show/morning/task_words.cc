@@ -8,7 +8,7 @@
 #include "api/show/morning/morning_clock.h"
 #include "api/show/windows/past_words.h"
 #include "api/show/windows/windows_answer.h"
-#include "fields/base/quantile.h"
+#include "fields/base/numbers/quantile.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/log/score.h"
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 
 namespace slackwater::api {
 namespace {

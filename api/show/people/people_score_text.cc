@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "api/log/score.h"
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

@@ -7,7 +7,7 @@
 #include "api/json/plot_json.h"
 #include "api/show/rehearse/rehearsal_json.h"
 #include "fields/base/check.h"
-#include "fields/base/quantile.h"
+#include "fields/base/numbers/quantile.h"
 #include "fields/base/text.h"
 #include "twin/chance/success_interval.h"
 

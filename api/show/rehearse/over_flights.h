@@ -5,7 +5,7 @@
 
 #include "api/ask/rehearse/rehearsal.h"
 #include "api/show/rehearse/rehearsal_json.h"
-#include "fields/base/quantile.h"
+#include "fields/base/numbers/quantile.h"
 
 namespace slackwater::api {
 

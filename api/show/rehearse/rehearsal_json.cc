@@ -12,7 +12,7 @@
 #include "api/show/rehearse/cleaning_report.h"
 #include "api/show/rehearse/inspection_report.h"
 #include "api/show/rehearse/risk_report.h"
-#include "fields/base/quantile.h"
+#include "fields/base/numbers/quantile.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

@@ -19,7 +19,7 @@
 #include "api/show/rehearse/run_page_traffic.h"
 #include "api/show/report/assets.h"
 #include "api/show/report/html_page.h"
-#include "fields/base/quantile.h"
+#include "fields/base/numbers/quantile.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

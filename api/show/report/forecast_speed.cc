@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "fields/base/averaging.h"
 #include "fields/base/constants.h"
+#include "fields/base/numbers/averaging.h"
 #include "fields/base/text.h"
 #include "fields/service/speed_quantiles.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "fields/base/html.h"
+#include "fields/base/encode/html.h"
 
 namespace slackwater::api {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 
 namespace slackwater::api {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "fields/base/averaging.h"
+#include "fields/base/numbers/averaging.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {

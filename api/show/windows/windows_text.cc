@@ -6,7 +6,7 @@
 #include "api/ask/windows/worth.h"
 #include "api/show/windows/past_words.h"
 #include "api/show/windows/windows_answer.h"
-#include "fields/base/quantile.h"
+#include "fields/base/numbers/quantile.h"
 #include "fields/base/text.h"
 #include "twin/rehearse/limit_ahead.h"
 

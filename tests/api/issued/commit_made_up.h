@@ -2,7 +2,7 @@
 #include <span>
 
 #include "data/store/store.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 
 namespace slackwater::tests {
 

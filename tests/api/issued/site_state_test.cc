@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/door/cli/serve_health.h"
+#include "api/door/cli/serve/serve_health.h"
 #include "tests/api/door/edr/made_up_store.h"
 #include "tests/support/temporary_folder.h"
 

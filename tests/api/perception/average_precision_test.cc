@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::tests::average_precision_test {
 namespace {

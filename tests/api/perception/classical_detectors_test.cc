@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "api/perception/detector.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/api/perception/plates_for_tests.h"
 
 namespace slackwater::tests::classical_detectors_test {

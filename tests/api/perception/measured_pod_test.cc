@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/contains.h"
 
 namespace slackwater::tests::measured_pod_test {

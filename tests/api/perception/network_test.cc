@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 #include "fields/base/text.h"
 #include "tests/api/perception/onnx_for_tests.h"
 #include "tests/api/perception/plates_for_tests.h"

@@ -1,13 +1,13 @@
 // What `forecast --print-downloads` tells people to fetch. Oracle: the published domains and masks
 // of the products, cited in data/products.
-#include "api/pipeline/downloads.h"
+#include "api/pipeline/ingest/downloads.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <regex>
 
-#include "api/pipeline/gfs_download.h"
+#include "api/pipeline/ingest/gfs_download.h"
 #include "ingest/cf/dataset_period.h"
 #include "tests/support/contains.h"
 #include "tests/support/shared_data.h"

@@ -9,7 +9,7 @@
 
 #include "api/pipeline/snapshot_difference.h"
 #include "fields/base/error.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/store_for_tests.h"
 

@@ -1,4 +1,4 @@
-#include "api/pipeline/ingest_counts.h"
+#include "api/pipeline/ingest/ingest_counts.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/ingest/ingest_files.h"
 #include "fields/base/error.h"
 #include "fields/record/choose.h"
 #include "ingest/copernicus/product_catalogue.h"

@@ -1,5 +1,5 @@
 // Work that may die, in a process of its own: whatever it does to itself, we live and are told.
-#include "api/pipeline/run_apart.h"
+#include "api/pipeline/ingest/run_apart.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/ingest/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/pipeline/verify.h"
 #include "api/show/morning/verified_text.h"
@@ -12,7 +12,7 @@
 #include "calibration/verify/verdict.h"
 #include "fields/base/error.h"
 #include "fields/record/leading_dataset.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "ingest/copernicus/product_catalogue.h"
 #include "tests/support/known_error_for_tests.h"
 #include "tests/support/product_files_for_tests.h"

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::calibration::blend_test {
 namespace {

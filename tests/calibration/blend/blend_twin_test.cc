@@ -9,7 +9,7 @@
 #include <string>
 
 #include "calibration/blend/blend.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/asked_number.h"
 
 namespace slackwater::calibration::blend_twin_test {

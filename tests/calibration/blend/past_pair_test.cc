@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::calibration::past_pair_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::calibration::simplex_quadratic_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::calibration::weighted_mean_test {
 namespace {

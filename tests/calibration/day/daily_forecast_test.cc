@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "calibration/day/daily_forecast.h"
+#include "calibration/day/given/whole_day.h"
 #include "calibration/day/leading_day.h"
-#include "calibration/day/whole_day.h"
 #include "fields/base/error.h"
 #include "tests/support/known_series_for_tests.h"
 

@@ -1,4 +1,4 @@
-#include "calibration/day/driving_ensemble.h"
+#include "calibration/day/given/driving_ensemble.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <set>
 
 #include "calibration/day/daily_forecast.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/known_series_for_tests.h"
 
 namespace slackwater::calibration::driving_ensemble_test {

@@ -8,7 +8,7 @@
 
 #include "calibration/day/past_plan.h"
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/wave/height_error.h"
 #include "tests/support/known_series_for_tests.h"
 #include "tests/support/shared_data.h"

@@ -9,7 +9,7 @@
 #include <limits>
 #include <memory>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::calibration::earned_test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "calibration/day/horizon.h"
+#include "calibration/day/given/horizon.h"
 #include "fields/wave/growth.h"
 #include "tests/calibration/day/horizon_for_tests.h"
 

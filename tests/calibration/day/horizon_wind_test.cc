@@ -1,4 +1,4 @@
-#include "calibration/day/horizon.h"
+#include "calibration/day/given/horizon.h"
 
 #include <gtest/gtest.h>
 

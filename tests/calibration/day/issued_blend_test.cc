@@ -7,8 +7,8 @@
 #include <map>
 #include <optional>
 
-#include "calibration/day/known_currents.h"
-#include "calibration/day/methods.h"
+#include "calibration/day/column/methods.h"
+#include "calibration/day/given/known_currents.h"
 #include "tests/support/known_series_for_tests.h"
 #include "tests/support/reference_profile.h"
 

@@ -1,4 +1,4 @@
-#include "calibration/day/known_currents.h"
+#include "calibration/day/given/known_currents.h"
 #include "calibration/day/truth.h"
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "calibration/day/daily_forecast.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/current/coriolis.h"
 #include "tests/support/known_series_for_tests.h"
 

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/known_series_for_tests.h"
 
 namespace slackwater::calibration::rehearsal_test {

@@ -1,4 +1,4 @@
-#include "calibration/day/sea_level.h"
+#include "calibration/day/given/sea_level.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "calibration/tide/surge.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/current/astronomy.h"
 #include "tests/support/known_series_for_tests.h"
 

@@ -1,6 +1,6 @@
 // A weather ensemble's spread against its error: made-up runs of which the truth is one more
 // member, or which spread half as much.
-#include "calibration/day/spread_check.h"
+#include "calibration/day/given/spread_check.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "calibration/day/daily_forecast.h"
-#include "calibration/day/driving_ensemble.h"
-#include "calibration/day/horizon.h"
-#include "fields/base/random.h"
+#include "calibration/day/given/driving_ensemble.h"
+#include "calibration/day/given/horizon.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/known_series_for_tests.h"
 
 namespace slackwater::calibration::spread_check_test {

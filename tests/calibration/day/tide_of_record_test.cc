@@ -1,13 +1,13 @@
-#include "calibration/day/tide_of_record.h"
+#include "calibration/day/column/tide_of_record.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "calibration/day/column/methods.h"
 #include "calibration/day/daily_forecast.h"
-#include "calibration/day/known_currents.h"
-#include "calibration/day/methods.h"
+#include "calibration/day/given/known_currents.h"
 #include "fields/current/astronomy.h"
 #include "tests/support/known_series_for_tests.h"
 

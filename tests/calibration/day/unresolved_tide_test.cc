@@ -1,4 +1,4 @@
-#include "calibration/day/unresolved_tide.h"
+#include "calibration/day/column/unresolved_tide.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "calibration/day/wind_ensemble.h"
+#include "calibration/day/given/wind_ensemble.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "calibration/day/wind_fill.h"
+#include "calibration/day/given/wind_fill.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "calibration/propagate/wind_error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/current/stress_series.h"
 #include "tests/support/known_series_for_tests.h"
 

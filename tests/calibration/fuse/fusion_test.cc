@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "calibration/fuse/observed_at.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::calibration::tests::fusion_test {
 namespace {

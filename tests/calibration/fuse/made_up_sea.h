@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/interpolate/column.h"
 
 namespace slackwater::calibration::tests {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "calibration/day/column_calibration.h"
+#include "calibration/day/column/column_calibration.h"
 #include "calibration/propagate/propagate.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/current/coriolis.h"
 #include "fields/current/finite_depth.h"
 #include "fields/current/stress_series.h"

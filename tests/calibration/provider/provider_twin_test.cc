@@ -8,9 +8,9 @@
 #include <numbers>
 #include <vector>
 
+#include "calibration/day/column/methods.h"
 #include "calibration/day/daily_forecast.h"
-#include "calibration/day/methods.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/known_series_for_tests.h"
 
 namespace slackwater::calibration::provider_twin_test {

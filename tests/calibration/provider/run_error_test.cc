@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "calibration/propagate/memory_kernel.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::calibration::run_error_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/current/coriolis.h"
 #include "tests/support/unsteady_column.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/current/tide.h"
 
 namespace slackwater::calibration::tide_baseline_test {

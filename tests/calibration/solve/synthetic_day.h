@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "calibration/solve/calibration.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/current/stress_series.h"
 
 namespace slackwater::calibration {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 #include "tests/calibration/solve/synthetic_day.h"
 #include "tests/support/asked_number.h"
 

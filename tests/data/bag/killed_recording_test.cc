@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/data/bag/samples.h"
 #include "tests/support/temporary_folder.h"
 

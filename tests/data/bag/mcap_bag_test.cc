@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/data/bag/made_up_mcap.h"
 #include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"

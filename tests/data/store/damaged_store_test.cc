@@ -6,7 +6,7 @@
 #include "data/store/migrations.h"
 #include "data/store/store.h"
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/data/store/sample_rows.h"
 #include "tests/support/temporary_folder.h"
 

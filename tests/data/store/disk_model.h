@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/data/store/call_log.h"
 
 namespace slackwater::store::tests {

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/data/store/sample_rows.h"
 #include "tests/data/store/worker_process.h"
 #include "tests/support/asked_number.h"

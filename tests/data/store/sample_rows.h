@@ -9,7 +9,7 @@
 
 #include "data/store/rows.h"
 #include "data/store/store.h"
-#include "fields/base/sha256.h"
+#include "fields/base/encode/sha256.h"
 
 /// Rows and content that are functions of a number, so that a test and a worker process agree on
 /// them.

@@ -1,4 +1,4 @@
-#include "fields/base/averaging.h"
+#include "fields/base/numbers/averaging.h"
 
 #include <gtest/gtest.h>
 

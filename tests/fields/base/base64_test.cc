@@ -1,4 +1,4 @@
-#include "fields/base/base64.h"
+#include "fields/base/encode/base64.h"
 
 #include <gtest/gtest.h>
 

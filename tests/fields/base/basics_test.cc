@@ -4,10 +4,10 @@
 #include <fstream>
 #include <type_traits>
 
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
 #include "fields/base/frame.h"
-#include "fields/base/random.h"
-#include "fields/base/sha256.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/temporary_folder.h"
 
 namespace slackwater::basics_test {

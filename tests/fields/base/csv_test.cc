@@ -1,4 +1,4 @@
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fields/base/html.h"
+#include "fields/base/encode/html.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fields/base/normal_quantile.h"
+#include "fields/base/numbers/normal_quantile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fields/base/percent.h"
+#include "fields/base/encode/percent.h"
 
 #include <gtest/gtest.h>
 

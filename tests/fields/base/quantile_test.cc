@@ -1,4 +1,4 @@
-#include "fields/base/quantile.h"
+#include "fields/base/numbers/quantile.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::quantile_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fields/base/sha1.h"
+#include "fields/base/encode/sha1.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fields/base/statistics.h"
+#include "fields/base/numbers/statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::statistics_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::text_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::local_flow_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::stress_memory_test {
 namespace {

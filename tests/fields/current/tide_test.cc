@@ -11,7 +11,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/current/astronomy.h"
 
 namespace slackwater::tide_test {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::coverage_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::tests::isolines_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/known_series_for_tests.h"
 
 namespace slackwater::choose_test {

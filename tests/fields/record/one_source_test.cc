@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/record/cadence.h"
 #include "fields/record/choose.h"
 #include "tests/support/known_series_for_tests.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::column_layout_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/service/field.h"
 #include "tests/support/made_up_forecast.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/reference_profile.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/site/site.h"
 #include "tests/fields/site/site_for_tests.h"
 #include "tests/support/shared_data.h"

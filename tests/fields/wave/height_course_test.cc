@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/wave/sea_moment.h"
 #include "tests/fields/wave/textbook_sea.h"
 

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/fields/wave/textbook_sea.h"
 
 namespace slackwater::sea_kernel_test {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::sea_moment_test {
 namespace {

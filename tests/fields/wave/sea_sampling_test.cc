@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/fields/wave/textbook_sea.h"
 
 namespace slackwater::sea_sampling_test {

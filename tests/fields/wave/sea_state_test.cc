@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/wave/growth.h"
 #include "fields/wave/product_sea.h"
 #include "fields/wave/scenario_sea.h"

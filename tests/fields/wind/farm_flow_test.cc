@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/shared_data.h"
 
 namespace slackwater::farm_flow_test {

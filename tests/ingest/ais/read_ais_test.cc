@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/ingest/ais/nmea_for_tests.h"
 #include "tests/support/contains.h"
 #include "tests/support/temporary_folder.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/ingest/ais/nmea_for_tests.h"
 #include "tests/support/contains.h"
 

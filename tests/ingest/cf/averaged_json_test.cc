@@ -1,4 +1,4 @@
-#include "ingest/cf/averaged_json.h"
+#include "ingest/cf/forecast/averaged_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "ingest/netcdf/file.h"
 #include "tests/support/temporary_folder.h"
 

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "fields/base/error.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "ingest/netcdf/file.h"
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/temporary_folder.h"

@@ -6,7 +6,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "ingest/netcdf/file.h"
 #include "tests/support/made_up_forecast.h"
 #include "tests/support/store_for_tests.h"

@@ -1,4 +1,4 @@
-#include "ingest/cf/provenance_json.h"
+#include "ingest/cf/forecast/provenance_json.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::ingest::spike_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/battery_for_tests.h"
 #include "tests/support/lanes_for_tests.h"
 

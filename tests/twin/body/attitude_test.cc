@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::twin::attitude_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/body/body_dynamics.h"
 #include "twin/body/mass_matrix.h"
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::tests::rank_rule_test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::twin::cell_test {
 namespace {

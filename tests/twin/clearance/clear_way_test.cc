@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/bench/counted_allocations.h"
 
 namespace slackwater::twin::clear_way_test {

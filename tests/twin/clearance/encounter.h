@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/clearance/clear_way.h"
 
 namespace slackwater::tests {

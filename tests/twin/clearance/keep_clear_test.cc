@@ -5,7 +5,7 @@
 #include <array>
 #include <cstring>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/shared_data.h"
 #include "twin/control/control_laws.h"
 #include "twin/run/set_up.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::twin::extreme_value_test {
 namespace {

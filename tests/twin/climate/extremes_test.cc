@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
-#include "twin/risk/calendar.h"
+#include "fields/base/numbers/random.h"
+#include "twin/risk/workability/calendar.h"
 
 namespace slackwater::twin::extremes_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/climate/known_months.h"
 #include "twin/climate/scatter.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/control/craft_for_tests.h"
 
 namespace slackwater::twin::allocation_test {

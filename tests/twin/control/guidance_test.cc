@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/base/turn.h"
 #include "twin/control/patterns.h"
 #include "twin/control/waypoint_follower.h"

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/control/closed_loop.h"
 #include "twin/control/guidance.h"
 #include "twin/control/patterns.h"

@@ -1,6 +1,6 @@
 #include "twin/environment/sea_of_run.h"
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/wave/sea_sampling.h"
 #include "tests/twin/run/sea_for_tests.h"
 #include "twin/agent/conduct.h"

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::twin::authority_test {
 namespace {

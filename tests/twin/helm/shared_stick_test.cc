@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/body/attitude.h"
 
 namespace slackwater::tests::shared_stick_test {

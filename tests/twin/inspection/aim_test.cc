@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/inspection/inspection_for_tests.h"
 #include "tests/twin/inspection/meshes_for_tests.h"
 #include "twin/inspection/instrument/bend.h"

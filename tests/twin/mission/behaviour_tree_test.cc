@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/bench/counted_allocations.h"
 #include "tests/twin/mission/leaves_for_tests.h"
 #include "twin/mission/tick.h"

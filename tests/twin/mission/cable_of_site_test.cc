@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/site/site.h"
 #include "tests/support/error_of.h"
 #include "tests/twin/mission/mission_for_tests.h"

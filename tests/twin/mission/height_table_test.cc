@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/mission/limit.h"
 
 namespace slackwater::tests::height_table_test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::twin::turn_test {
 namespace {

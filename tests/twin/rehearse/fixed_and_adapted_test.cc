@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/asked_number.h"
 #include "tests/twin/rehearse/pile_survey.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/render/ranging_for_tests.h"
 #include "twin/body/attitude.h"
 

@@ -1,10 +1,10 @@
-#include "twin/render/light/forward_scatter.h"
+#include "twin/render/lens/forward_scatter.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/render/ranging_for_tests.h"
 #include "twin/render/frame/truth_frame.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/inspection/brute_force_caster.h"
 #include "tests/twin/inspection/meshes_for_tests.h"
 #include "tests/twin/render/render_for_tests.h"

@@ -1,4 +1,4 @@
-#include "twin/render/light/marine_snow.h"
+#include "twin/render/lens/marine_snow.h"
 
 #include <gtest/gtest.h>
 

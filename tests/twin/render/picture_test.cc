@@ -1,4 +1,4 @@
-#include "twin/render/light/picture.h"
+#include "twin/render/lens/picture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "twin/render/light/shutter.h"
+#include "twin/render/lens/shutter.h"
 
 #include <gtest/gtest.h>
 

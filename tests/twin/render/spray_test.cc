@@ -1,4 +1,4 @@
-#include "twin/render/light/spray.h"
+#include "twin/render/lens/spray.h"
 
 #include <gtest/gtest.h>
 

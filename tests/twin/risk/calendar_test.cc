@@ -1,4 +1,4 @@
-#include "twin/risk/calendar.h"
+#include "twin/risk/workability/calendar.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "twin/risk/campaign.h"
+#include "twin/risk/workability/campaign.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/risk/window_oracle.h"
-#include "twin/risk/workable_starts.h"
+#include "twin/risk/workability/workable_starts.h"
 
 namespace slackwater::twin::campaign_test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/risk/past_verdicts.h"
 
 namespace slackwater::tests::chance_calibration_test {

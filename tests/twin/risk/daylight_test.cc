@@ -1,4 +1,4 @@
-#include "twin/risk/daylight.h"
+#include "twin/risk/workability/daylight.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
-#include "twin/risk/sun_position.h"
+#include "fields/base/numbers/random.h"
+#include "twin/risk/workability/sun_position.h"
 
 namespace slackwater::twin::daylight_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::tests::held_without_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "twin/risk/phase_plan.h"
+#include "twin/risk/workability/phase_plan.h"
 
 #include <gtest/gtest.h>
 

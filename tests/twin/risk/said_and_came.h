@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 // What was said of starts beside what came of them, day by day: the starts of a day share its
 // weather, so that days are drawn anew, not starts.

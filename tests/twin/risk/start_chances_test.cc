@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/risk/start_windows.h"
 
 namespace slackwater::tests::start_chances_test {

@@ -1,10 +1,10 @@
-#include "twin/risk/step_range.h"
+#include "twin/risk/workability/step_range.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::twin::step_range_test {
 namespace {

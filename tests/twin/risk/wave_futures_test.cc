@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/wave/growth.h"
 #include "fields/wave/height_error.h"
 

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/asked_number.h"
 #include "tests/twin/risk/said_and_came.h"
 #include "twin/chance/success_interval.h"
-#include "twin/risk/phase_plan.h"
 #include "twin/risk/start_chances.h"
+#include "twin/risk/workability/phase_plan.h"
 
 namespace slackwater::tests::window_probabilities_test {
 namespace {

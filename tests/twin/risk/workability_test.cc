@@ -1,14 +1,14 @@
-#include "twin/risk/workability.h"
+#include "twin/risk/workability/workability.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/risk/window_oracle.h"
 #include "twin/risk/bound.h"
-#include "twin/risk/workable_starts.h"
+#include "twin/risk/workability/workable_starts.h"
 
 namespace slackwater::twin::workability_test {
 namespace {

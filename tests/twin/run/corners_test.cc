@@ -1,4 +1,4 @@
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/run/run_for_tests.h"
 
 namespace slackwater::twin::corners_test {

@@ -1,5 +1,5 @@
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/twin/run/run_for_tests.h"
 #include "twin/tether/lay_tether.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/body/attitude.h"
 #include "twin/sensor/adcp.h"
 

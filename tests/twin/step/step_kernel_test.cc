@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/run/run_for_tests.h"
 #include "twin/step/vehicle_step.h"
 

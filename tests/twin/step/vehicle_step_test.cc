@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/vehicle_for_tests.h"
 #include "twin/step/step_dispatch.h"
 

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/surface/cleaning_for_tests.h"
 
 namespace slackwater::tests::cleaning_test {

@@ -1,13 +1,13 @@
 // Eight lines at once are the same bits as eight lines one by one.
 #define SLACKWATER_KERNEL tether_in_tests
-#include "fields/base/lanes.h"
+#include "fields/base/numbers/lanes.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/tether/tether_for_tests.h"
 
 namespace slackwater::twin::tether_lanes_test {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/tether/tether_for_tests.h"
 
 namespace slackwater::twin::tether_motion_test {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/thruster_for_tests.h"
 
 namespace slackwater::twin::t200_test {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/lanes_for_tests.h"
 #include "tests/support/thruster_for_tests.h"
 #include "twin/thruster/lag.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/traffic/traffic_picture.h"
 
 namespace slackwater::tests::alarms_test {

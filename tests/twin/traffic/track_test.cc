@@ -6,7 +6,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::tests::track_test {
 namespace {

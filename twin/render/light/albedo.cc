@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/render/light/growth.h"
 
 namespace slackwater::twin {

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::twin {
 

@@ -1,6 +1,6 @@
 #include "twin/render/light/growth.h"
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/render/light/albedo.h"
 
 namespace slackwater::twin {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/base/text.h"
 #include "twin/render/scene/render_scene.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "twin/render/light/spray.h"
+#include "twin/render/lens/spray.h"
 
 namespace slackwater::twin {
 

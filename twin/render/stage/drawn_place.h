@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "twin/inspection/instrument/look.h"
 #include "twin/inspection/surface/surface.h"
 

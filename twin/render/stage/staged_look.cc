@@ -5,7 +5,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/base/text.h"
 #include "twin/inspection/cast/ray_caster.h"
 #include "twin/inspection/instrument/quality.h"

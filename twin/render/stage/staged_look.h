@@ -5,7 +5,7 @@
 #include "twin/inspection/instrument/look.h"
 #include "twin/render/frame/pinhole.h"
 #include "twin/render/frame/truth_frame.h"
-#include "twin/render/light/picture.h"
+#include "twin/render/lens/picture.h"
 #include "twin/render/stage/look_stage.h"
 
 namespace slackwater::twin {

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "twin/render/frame/truth_frame.h"
+#include "twin/render/lens/picture.h"
 #include "twin/render/light/light_frame.h"
-#include "twin/render/light/picture.h"
 
 namespace slackwater::twin {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "api/door/edr/read/bad_parameter.h"
-#include "fields/base/percent.h"
+#include "fields/base/encode/percent.h"
 
 namespace slackwater::api::edr {
 namespace {

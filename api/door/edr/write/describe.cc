@@ -6,7 +6,7 @@
 
 #include "api/door/edr/write/json_text.h"
 #include "api/program/version.h"
-#include "fields/base/percent.h"
+#include "fields/base/encode/percent.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api::edr {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "fields/base/percent.h"
+#include "fields/base/encode/percent.h"
 
 namespace slackwater::api::edr {
 namespace {

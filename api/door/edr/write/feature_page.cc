@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "fields/base/percent.h"
+#include "fields/base/encode/percent.h"
 
 namespace slackwater::api::edr {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "api/door/edr/write/example_query.h"
 #include "api/door/edr/write/feature_page.h"
-#include "fields/base/percent.h"
+#include "fields/base/encode/percent.h"
 #include "fields/geo/coverage.h"
 
 namespace slackwater::api::edr {

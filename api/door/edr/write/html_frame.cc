@@ -1,7 +1,7 @@
 #include "api/door/edr/write/html_frame.h"
 
 #include "api/web/look/page_look.h"
-#include "fields/base/html.h"
+#include "fields/base/encode/html.h"
 
 namespace slackwater::api::edr {
 namespace {

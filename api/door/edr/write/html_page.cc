@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "api/door/edr/write/html_frame.h"
-#include "fields/base/html.h"
+#include "fields/base/encode/html.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api::edr {

@@ -1,6 +1,6 @@
 #pragma once
 #include "api/door/edr/sample/answer.h"
-#include "ingest/cf/sampled_file_writer.h"
+#include "ingest/cf/forecast/sampled_file_writer.h"
 
 namespace slackwater::api::edr {
 

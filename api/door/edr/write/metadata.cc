@@ -11,7 +11,7 @@
 #include "api/door/edr/write/content.h"
 #include "api/door/edr/write/example_query.h"
 #include "api/program/version.h"
-#include "fields/base/percent.h"
+#include "fields/base/encode/percent.h"
 
 namespace slackwater::api::edr {
 namespace {

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/ask/plan/plan_setup.h"
-#include "api/door/cli/windows_file.h"
+#include "api/door/cli/decide/windows_file.h"
 #include "api/show/windows/windows_answer.h"
 #include "data/store/layout.h"
 #include "tests/support/contains.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::tests::branch_and_cut_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/ask/plan/make_plan.h"
-#include "api/door/cli/earlier_plan_file.h"
+#include "api/door/cli/decide/earlier_plan_file.h"
 #include "api/show/plan/plan_json.h"
 #include "fields/base/error.h"
 #include "tests/api/ask/plan/plan_days.h"

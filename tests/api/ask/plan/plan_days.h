@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "api/ask/plan/plan.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 // Days to plan, and a judge of plans that shares no line with what makes them.
 

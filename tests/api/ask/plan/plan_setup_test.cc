@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "api/door/cli/windows_file.h"
+#include "api/door/cli/decide/windows_file.h"
 #include "fields/base/error.h"
 #include "tests/support/store_for_tests.h"
 

@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "api/log/command_tables.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 #include "tests/api/ask/run/logged_runs.h"
 #include "twin/run/command_numbers.h"
 

@@ -8,8 +8,8 @@
 #include "api/log/score.h"
 #include "api/show/rehearse/account_text.h"
 #include "api/show/rehearse/run_page.h"
+#include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
-#include "fields/base/sha256.h"
 #include "tests/api/ask/run/logged_runs.h"
 
 namespace slackwater::tests::newcomer_run_test {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "api/program/paths.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "fields/geo/local_frame.h"
 
 namespace slackwater::tests::traffic_about_test {

@@ -7,7 +7,7 @@
 
 #include "api/ask/windows/windows.h"
 #include "api/pipeline/past_mornings.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/api/ask/windows/weather_at_a_site.h"
 #include "tests/support/asked_number.h"
 #include "tests/support/shared_data.h"

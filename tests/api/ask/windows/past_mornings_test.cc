@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "api/ask/windows/windows.h"
-#include "ingest/cf/forecast_file.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "tests/support/farm_for_tests.h"
 #include "tests/support/product_files_for_tests.h"
 #include "tests/support/shared_data.h"

@@ -8,10 +8,10 @@
 
 #include "api/made_up/synthetic/product_files.h"
 #include "api/pipeline/daily_job.h"
-#include "api/pipeline/ingest_files.h"
+#include "api/pipeline/ingest/ingest_files.h"
 #include "api/pipeline/load_site_data.h"
 #include "api/program/paths.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "ingest/copernicus/product_catalogue.h"
 #include "ingest/grib/grib_writer.h"
 #include "tests/support/product_files_for_tests.h"

@@ -1,7 +1,7 @@
 #include <set>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/api/door/dds/readers_for_tests.h"
 #include "tests/bench/counted_allocations.h"
 

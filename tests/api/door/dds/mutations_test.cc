@@ -1,6 +1,6 @@
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/api/door/dds/readers_for_tests.h"
 #include "tests/bench/counted_allocations.h"
 #include "tests/support/asked_number.h"

@@ -5,7 +5,7 @@
 #include "api/door/dds/message/detection_messages.h"
 #include "api/door/dds/message/sensor_messages.h"
 #include "api/door/dds/message/sonar_messages.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/api/door/dds/cdr_by_hand.h"
 
 namespace slackwater::dds::sensor_bytes_test {

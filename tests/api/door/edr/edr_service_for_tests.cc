@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include "fields/base/percent.h"
+#include "fields/base/encode/percent.h"
 
 namespace slackwater::tests {
 namespace {

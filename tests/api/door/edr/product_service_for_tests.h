@@ -6,8 +6,8 @@
 #include <string>
 
 #include "api/door/edr/service.h"
-#include "api/pipeline/ingest_files.h"
-#include "fields/base/percent.h"
+#include "api/pipeline/ingest/ingest_files.h"
+#include "fields/base/encode/percent.h"
 #include "ingest/copernicus/product_catalogue.h"
 #include "tests/api/door/edr/edr_service_for_tests.h"
 #include "tests/support/product_files_for_tests.h"

@@ -1,5 +1,5 @@
 // What is told of the vessels that a vehicle is alarmed about.
-#include "api/door/live/alarm_publisher.h"
+#include "api/door/live/topics/alarm_publisher.h"
 
 #include <gtest/gtest.h>
 

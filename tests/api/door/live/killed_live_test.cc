@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/api/door/live/live_records.h"
 #include "tests/support/asked_number.h"
 #include "tests/support/comes_true.h"

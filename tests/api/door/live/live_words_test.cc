@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "api/door/live/live_run.h"
-#include "api/door/live/reserve_advice.h"
+#include "api/door/live/topics/reserve_advice.h"
 #include "tests/twin/run/run_for_tests.h"
 
 namespace slackwater::tests::live_words_test {

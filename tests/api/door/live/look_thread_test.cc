@@ -1,5 +1,5 @@
 // Looks that take long, beside somebody who does not wait for them.
-#include "api/door/live/look_thread.h"
+#include "api/door/live/topics/look_thread.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "api/door/live/live_run.h"
-#include "api/door/live/recording_outlet.h"
+#include "api/door/live/topics/recording_outlet.h"
 #include "data/bag/bag.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/twin/run/run_for_tests.h"

@@ -1,7 +1,7 @@
 // Bags played back: as commands of a client, as vessels that pass by.
 #include "api/door/live/bag_traffic.h"
 #include "api/door/live/live_run.h"
-#include "api/door/live/recording_outlet.h"
+#include "api/door/live/topics/recording_outlet.h"
 #include "fields/base/error.h"
 #include "tests/api/door/live/live_records.h"
 #include "tests/api/door/live/made_up_commands.h"

@@ -1,5 +1,5 @@
 // A run that is recorded, and goes on where that cannot be.
-#include "api/door/live/recording_outlet.h"
+#include "api/door/live/topics/recording_outlet.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

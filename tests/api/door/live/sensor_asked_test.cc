@@ -1,5 +1,5 @@
 // VEHICLE/SENSOR@RATE, as people write it.
-#include "api/door/live/sensor_asked.h"
+#include "api/door/live/topics/sensor_asked.h"
 
 #include <gtest/gtest.h>
 

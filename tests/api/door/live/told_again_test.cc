@@ -4,7 +4,7 @@
 
 #include "api/door/dds/message/orders.h"
 #include "api/door/live/live_run.h"
-#include "api/door/live/recording_outlet.h"
+#include "api/door/live/topics/recording_outlet.h"
 #include "tests/api/door/live/live_records.h"
 #include "tests/api/door/live/made_up_commands.h"
 #include "tests/support/program.h"

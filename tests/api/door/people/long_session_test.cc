@@ -2,7 +2,7 @@
 // holder at a time; then the run is made again to the last bit.
 #include <gtest/gtest.h>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/api/door/people/station_for_tests.h"
 #include "tests/support/asked_number.h"
 #include "tests/support/temporary_folder.h"

@@ -3,7 +3,7 @@
 
 #include "api/door/people/run_desk.h"
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/support/asked_number.h"
 #include "tests/twin/run/helm_for_tests.h"
 

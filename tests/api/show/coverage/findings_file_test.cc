@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 #include "fields/geo/local_frame.h"
 #include "tests/api/show/coverage/made_up_inspection.h"
 #include "tests/support/error_of.h"

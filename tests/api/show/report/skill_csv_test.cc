@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "api/show/report/skill_json.h"
-#include "fields/base/csv.h"
+#include "fields/base/encode/csv.h"
 
 namespace slackwater::api::skill_csv_test {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "fields/base/check.h"
+#include "fields/base/numbers/random.h"
 #include "fields/base/parallel.h"
-#include "fields/base/random.h"
 #include "tests/bench/counted_allocations.h"
 #include "tests/twin/inspection/brute_force_caster.h"
 #include "tests/twin/inspection/meshes_for_tests.h"

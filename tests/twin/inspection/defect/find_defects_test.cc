@@ -6,7 +6,7 @@
 #include <set>
 
 #include "fields/base/error.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/twin/inspection/defect/defects_for_tests.h"
 #include "twin/inspection/defect/detection_score.h"
 

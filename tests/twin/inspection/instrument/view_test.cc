@@ -9,7 +9,7 @@
 #include <set>
 
 #include "fields/base/constants.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 #include "tests/bench/counted_allocations.h"
 #include "tests/twin/inspection/meshes_for_tests.h"
 #include "twin/inspection/instrument/footprint.h"

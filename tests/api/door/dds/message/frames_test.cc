@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 // NED with bodies forward, right, down (Fossen) to ENU with bodies forward, left, up (REP-103),
 // against matrices: what a quaternion of ROS means is said by ROS's formulas, not by ours.

@@ -5,7 +5,7 @@
 #include <cctype>
 
 #include "fields/base/check.h"
-#include "fields/base/random.h"
+#include "fields/base/numbers/random.h"
 
 namespace slackwater::dds::names_test {
 namespace {

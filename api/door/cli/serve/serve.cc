@@ -1,0 +1,238 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+#include "api/door/cli/command.h"
+#include "api/door/cli/serve/serve_health.h"
+#include "api/door/cli/stop_signals.h"
+#include "api/door/cli/traffic_options.h"
+#include "api/door/desk/desk_routes.h"
+#include "api/door/desk/interface_document.h"
+#include "api/door/desk/page_routes.h"
+#include "api/door/edr/service.h"
+#include "api/door/http/server.h"
+#include "api/door/live/forecast_service.h"
+#include "api/door/sessions/host_routes.h"
+#include "api/door/sessions/interface_document.h"
+#include "api/issued/issued_fields.h"
+#include "api/program/paths.h"
+#include "api/program/version.h"
+#include "fields/base/log.h"
+#include "fields/base/spare_memory.h"
+
+namespace slackwater::api {
+namespace {
+
+struct ServeArguments {
+  std::string address = "127.0.0.1";
+  int port = 8080;
+  int threads = 2;
+  std::string token_file;
+  std::string base_url;
+  std::string stale_after, at;
+  std::string sessions;
+  std::vector<std::string> ais;
+  AlarmWords alarm;
+  std::optional<int> domain;
+  bool loopback = false;
+  bool udp_only = false;
+};
+
+/// The forecasts on DDS, where that was asked for.
+std::unique_ptr<live::ForecastService> on_dds(const ServeArguments& arguments,
+                                              const std::shared_ptr<IssuedFields>& forecasts,
+                                              const Context& context) {
+  if (!arguments.domain) return nullptr;
+  dds::DomainSettings settings;
+  settings.domain = *arguments.domain;
+  settings.is_loopback_only = arguments.loopback;
+  settings.is_udp_only = arguments.udp_only;
+  settings.on_trouble = [](const std::string& text) {
+    log_event(LogLevel::warning, "dds", {{"problem", text}});
+  };
+  return std::make_unique<live::ForecastService>(settings, forecasts,
+                                                 [&context] { return context.now(); });
+}
+
+std::optional<std::string> token_of(const std::string& file) {
+  if (file.empty()) return std::nullopt;
+  std::ifstream stream(file);
+  std::string token;
+  std::getline(stream, token);
+  if (!stream || token.size() < 16) {
+    throw Error(ErrorKind::usage, "--token-file: found no token in " + file +
+                                      "; expected one line of at least 16 characters");
+  }
+  return token;
+}
+
+/// A clock that shows this time now and goes on from there; the machine's where none is said.
+std::function<UtcTime()> clock_from(const std::string& at, const Context& context) {
+  if (at.empty()) return machine_time;
+  const Duration behind = machine_time() - context.time_of("--at", at);
+  return [behind] { return machine_time() - behind; };
+}
+
+Freshness freshness_from(const std::string& text, const std::function<UtcTime()>& now) {
+  Freshness freshness;
+  freshness.now = now;
+  if (text.empty()) return freshness;
+  freshness.stale_after = option_value("--stale-after", text, parse_duration);
+  if (freshness.stale_after <= Duration(0)) {
+    throw Error(ErrorKind::usage,
+                "found --stale-after " + text + ", expected a time longer than 0, e.g. 36h or 2d");
+  }
+  return freshness;
+}
+
+/// As links begin with it: a scheme and no slash at its end.
+std::string checked_base(std::string url) {
+  while (url.ends_with('/')) url.pop_back();
+  const bool is_plain = std::none_of(url.begin(), url.end(), [](char c) {
+    return c <= ' ' || c > '~' || c == '"' || c == '<' || c == '>' || c == '?' || c == '#';
+  });
+  const bool has_scheme = url.starts_with("http://") || url.starts_with("https://");
+  if (url.empty() || (is_plain && has_scheme)) return url;
+  throw Error(ErrorKind::usage, "--base-url: found '" + url +
+                                    "'; expected http:// or https:// and an address without '?' "
+                                    "and '#', e.g. https://forecasts.example.org/edr");
+}
+
+/// The sessions of people, where a file says which may be begun.
+std::shared_ptr<sessions::SessionHost> session_host(const ServeArguments& arguments,
+                                                    const Context& context) {
+  if (arguments.sessions.empty()) return nullptr;
+  auto file = sessions::read_operator_file(arguments.sessions, context.store_folder);
+  (void)context.open(store::OpenMode::create_or_write);  // runs in made-up water need no forecast
+  return std::make_shared<sessions::SessionHost>(std::move(file), context.store_folder,
+                                                 [&context] { return context.now(); });
+}
+
+/// The logs of AIS, where any were given.
+desk::Listening listening(const ServeArguments& arguments) {
+  desk::Listening to;
+  to.rule = traffic_rule(arguments.alarm);
+  if (!arguments.ais.empty())
+    to.logs = std::make_shared<desk::FollowedLogs>(
+        std::vector<std::filesystem::path>(arguments.ais.begin(), arguments.ais.end()));
+  return to;
+}
+
+/// As many stations at each session as a server of one session takes.
+http::Limits limits_for(std::size_t sessions_at_once) {
+  http::Limits limits;
+  limits.websockets *= sessions_at_once;
+  limits.connections += limits.websockets;
+  return limits;
+}
+
+void run_serve(const ServeArguments& arguments, const Context& context) {
+  hold_little_spare_memory();
+  const std::string base_url = checked_base(arguments.base_url);
+  const Freshness freshness =
+      freshness_from(arguments.stale_after, clock_from(arguments.at, context));
+  const StopSignals stop;
+  http::ServerOptions options;
+  options.address = arguments.address;
+  options.port = static_cast<std::uint16_t>(arguments.port);
+  options.threads = static_cast<std::size_t>(arguments.threads);
+  options.token = token_of(arguments.token_file);
+  options.read_only = true;  // but for the paths that take POST
+  options.exposed_fields = edr::own_header_fields();
+  options.on_failure = [](const http::Request& request, const std::string& what) {
+    log_event(LogLevel::error, "request failed", {{"path", request.path}, {"problem", what}});
+  };
+  const auto people = session_host(arguments, context);
+  const auto forecasts = std::make_shared<IssuedFields>(context.store_folder);
+  http::Router router;
+  edr::Beside beside{desk::interface_document(), desk::front_page};
+  desk::add_page_routes(router);
+  desk::add_routes(router, {forecasts, freshness, context.store_folder, data_folder(),
+                            static_cast<std::size_t>(arguments.threads), arguments.at.empty(),
+                            listening(arguments)});
+  if (people) {
+    beside.interface.merge_patch(sessions::interface_document());
+    sessions::add_routes(router, people);
+    options.guards_itself = sessions::is_for_supervisors;
+    options.limits = limits_for(people->most_at_once());
+  }
+  edr::add_routes(router, forecasts, base_url, freshness, beside);
+  std::vector<std::string> labels = router.labels();
+  labels.insert(labels.end(), {"/health", "/health/fresh", "/metrics"});
+  options.metrics = std::make_shared<http::Metrics>(labels);
+  const auto health = [forecasts, freshness] { return health_of(*forecasts, freshness); };
+  router.add("GET", "/health", http::health_handler(code_version(), options.metrics, health));
+  router.add("GET", "/health/fresh",
+             http::health_handler(code_version(), options.metrics, health, http::Asker::monitor));
+  router.add("GET", "/metrics", http::metrics_handler(options.metrics, [forecasts, freshness] {
+               return forecast_gauges(*forecasts->catalogue(), freshness);
+             }));
+  options.methods_at = [router](const std::string& path) { return router.methods_at(path); };
+  const auto dds_service = on_dds(arguments, forecasts, context);
+  http::Server server(options, router);
+  server.start();
+  if (people) people->begin_at_start();
+  const std::string url =
+      "http://" +
+      (arguments.address.find(':') == std::string::npos ? arguments.address
+                                                        : "[" + arguments.address + "]") +
+      ":" + std::to_string(server.port());
+  if (context.json) {
+    std::printf("{\"url\":\"%s\",\"port\":%d}\n", url.c_str(), server.port());
+  } else {
+    std::printf("Slackwater at %s/ (%zu forecasts); Ctrl-C ends it\n", url.c_str(),
+                forecasts->catalogue()->instances.size());
+    if (people) std::printf("people: %s/session\n", url.c_str());
+  }
+  std::fflush(stdout);
+  log_event(LogLevel::info, "serving", {{"url", url}, {"store", context.store_folder.string()}});
+  stop.wait();
+  if (people) people->stop();  // while there is a server to say farewell with
+  server.stop();
+  log_event(LogLevel::info, "stopped");
+}
+
+}  // namespace
+
+void add_serve(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand(
+      "serve", "Issued forecasts over HTTP: OGC API-EDR 1.1, health and metrics");
+  auto arguments = std::make_shared<ServeArguments>();
+  command->add_option("--address", arguments->address,
+                      "numeric address to listen on (default 127.0.0.1: this machine alone)");
+  command->add_option("--port", arguments->port, "port; 0 takes any that is free (default 8080)")
+      ->check(CLI::Range(0, 65535));
+  command
+      ->add_option("--threads", arguments->threads,
+                   "that answer requests, and as many more for long answers (default 2)")
+      ->check(CLI::Range(1, 64));
+  command->add_option("--token-file", arguments->token_file,
+                      "file with the token that whoever writes from afar must show");
+  command->add_option("--base-url", arguments->base_url,
+                      "address as clients see it, e.g. behind a proxy (default: the Host header)");
+  command->add_option("--stale-after", arguments->stale_after,
+                      "a forecast older than this is called stale by /, /health and /metrics "
+                      "(default 36h)");
+  command->add_option("--at", arguments->at,
+                      "show this time and go on from there, UTC, for training and tests (default: "
+                      "the machine's clock)");
+  command
+      ->add_option("--ais", arguments->ais,
+                   "log of AIS that a receiver writes, as `ais` reads it: its vessels stand on "
+                   "the desk's map; again for more")
+      ->allow_extra_args(false);
+  add_alarm_options(*command, arguments->alarm);
+  command->add_option("--sessions", arguments->sessions,
+                      "live sessions that people may begin and take part in (page /session), and "
+                      "their tokens, as FILE.yaml");
+  command->add_option(
+      "--dds-domain", arguments->domain,
+      "also on DDS: the water of each site as forecast for now, ROS 2 names; domain "
+      "0 to 232");
+  command->add_flag("--loopback", arguments->loopback, "DDS on this machine alone");
+  command->add_flag("--udp-only", arguments->udp_only, "DDS without shared memory");
+  command->callback([arguments, &context] { run_serve(*arguments, context); });
+}
+
+}  // namespace slackwater::api

@@ -1,0 +1,153 @@
+#include "api/pipeline/ingest/ingest_files.h"
+
+#include <algorithm>
+#include <array>
+#include <future>
+
+#include "fields/base/encode/sha256.h"
+#include "fields/base/error.h"
+#include "fields/base/text.h"
+#include "ingest/copernicus/product.h"
+#include "ingest/publication.h"
+
+namespace slackwater::api {
+namespace {
+
+/// The cut is part of a source's identity: the same file cut otherwise is another source.
+std::string cut_key(const ingest::IngestOptions& options) {
+  std::string key;
+  if (options.cut) {
+    key += formatted("bbox={:.6f},{:.6f},{:.6f},{:.6f};", options.cut->west_deg,
+                     options.cut->south_deg, options.cut->east_deg, options.cut->north_deg);
+  }
+  if (options.as) key += "as=" + std::string(name_of(*options.as)) + ";";
+  if (options.issued) key += "issued=" + format_utc(*options.issued) + ";";
+  if (options.product)
+    key += "product=" + options.product->id + "@" + options.product->sha256.substr(0, 12) + ";";
+  return key;
+}
+
+store::NewGranule to_row(const ingest::DecodedGranule& decoded) {
+  const Granule& granule = decoded.granule;
+  store::GranuleRow row;
+  for (const GranuleVariable& variable : granule.variables) {
+    row.standard_names.push_back(variable.standard_name);
+    row.contains_stokes = row.contains_stokes || variable.contains_stokes;
+  }
+  row.is_point_series = granule.is_point_series;
+  row.station = granule.station;
+  row.status = granule.status;
+  row.reference_time = granule.reference_time;
+  row.ensemble_member = granule.ensemble_member;
+  if (!granule.grid.time.empty()) {
+    row.first_time = granule.grid.time.front().start;
+    row.last_time = granule.grid.time.back().end;
+  }
+  row.times = granule.grid.time.size();
+  row.bounds = coverage_of(granule.grid);
+  row.vertical = granule.grid.vertical;
+  if (!granule.grid.levels_m.empty()) {
+    row.lowest_level_m = granule.grid.levels_m.front();
+    row.highest_level_m = granule.grid.levels_m.back();
+  }
+  row.product_id = granule.product_id;
+  row.dataset_id = granule.dataset_id;
+  row.attribution = granule.attribution;
+  return {std::move(row), decoded.content_file};
+}
+
+bool is_product_file(const std::filesystem::path& file) {
+  static constexpr std::array<std::string_view, 7> endings{".nc",    ".nc4", ".cdf", ".grib",
+                                                           ".grib2", ".grb", ".grb2"};
+  return std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
+}
+
+}  // namespace
+
+IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& products,
+                         const std::filesystem::path& file, const ingest::IngestOptions& options,
+                         UtcTime now, const ingest::Progress& progress) {
+  IngestReport report;
+  report.file = file;
+  std::error_code problem;
+  if (!std::filesystem::is_regular_file(file, problem)) {
+    throw Error(ErrorKind::not_found, "found no file " + file.string() + "; check the path");
+  }
+  store::SourceFile source;
+  source.cut_key = cut_key(options);
+  source.name = file.filename().string();
+  source.bytes = std::filesystem::file_size(file);
+  source.ingested_at = now;
+
+  // Small files are hashed first: a file that is there already then costs no decoding. Large ones
+  // are hashed while they are decoded, which keeps both cores busy.
+  constexpr std::uint64_t small = 64U << 20U;
+  std::future<std::string> hash;
+  if (source.bytes <= small) {
+    source.sha256 = sha256_of_file(file);
+    if (const auto known = store.find_source(source.sha256, source.cut_key)) {
+      report.sha256 = source.sha256;
+      report.product_id = known->product_id;
+      return report;
+    }
+  } else {
+    hash = std::async(std::launch::async, [file] { return sha256_of_file(file); });
+  }
+  ingest::Ingested ingested =
+      ingest::decode_file(file, products, options, store.staging_folder(), progress);
+  if (hash.valid()) source.sha256 = hash.get();
+
+  std::vector<store::NewGranule> granules;
+  for (const ingest::DecodedGranule& decoded : ingested.granules) {
+    granules.push_back(to_row(decoded));
+    for (const GranuleVariable& variable : decoded.granule.variables) {
+      if (std::find(report.standard_names.begin(), report.standard_names.end(),
+                    variable.standard_name) == report.standard_names.end()) {
+        report.standard_names.push_back(variable.standard_name);
+      }
+    }
+  }
+  report.counts = counts_of(ingested.granules);
+  const Granule& first = ingested.granules.front().granule;
+  source.product_id = first.product_id;
+  source.dataset_id = first.dataset_id;
+  source.attribution = first.attribution;
+  source.published_at = ingest::published_by(ingested.published, now);
+  source.warnings = ingested.warnings;
+  report.status = name_of(first.status);
+  const bool was_there = store.names_source(source.sha256, source.cut_key);
+  report.stored = store.commit_ingest(source, granules);
+  report.repaired = report.stored && was_there;
+  report.sha256 = source.sha256;
+  report.product_id = source.product_id;
+  report.granules = granules.size();
+  report.warnings = std::move(ingested.warnings);
+  return report;
+}
+
+std::vector<std::filesystem::path> product_files(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& path : paths) {
+    std::error_code problem;
+    if (!std::filesystem::is_directory(path, problem)) {
+      if (!std::filesystem::exists(path, problem)) {
+        throw Error(ErrorKind::not_found, "found no file " + path.string() + "; check the path");
+      }
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::filesystem::path> inside;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
+      if (entry.is_regular_file() && is_product_file(entry.path())) inside.push_back(entry.path());
+    }
+    if (inside.empty()) {
+      throw Error(ErrorKind::not_found,
+                  "found no product files (.nc, .grib …) below " + path.string());
+    }
+    std::sort(inside.begin(), inside.end());
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+}  // namespace slackwater::api
