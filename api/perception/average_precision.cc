@@ -16,6 +16,7 @@ struct Judged {
   double confidence = 0;
   std::size_t picture = 0;
   bool is_right = false;
+  bool is_told = true;
 };
 
 struct JudgedSet {
@@ -30,13 +31,20 @@ double share_in(const PixelBox& find, const PixelBox& crowd) noexcept {
   return common.right > common.left && common.bottom > common.top ? common.area() / find.area() : 0;
 }
 
+struct Find {
+  const Detection* what;
+  bool is_told;
+};
+
 /// The finds of one kind in a picture, surest first.
-std::vector<const Detection*> finds_of(const ScoredPicture& picture, const std::string& kind) {
-  std::vector<const Detection*> finds;
+std::vector<Find> finds_of(const ScoredPicture& picture, const std::string& kind) {
+  std::vector<Find> finds;
   for (const Detection& find : picture.found)
-    if (find.of == kind) finds.push_back(&find);
-  std::stable_sort(finds.begin(), finds.end(), [](const Detection* a, const Detection* b) {
-    return a->confidence > b->confidence;
+    if (find.of == kind) finds.push_back({&find, true});
+  for (const Detection& find : picture.unsure)
+    if (find.of == kind) finds.push_back({&find, false});
+  std::stable_sort(finds.begin(), finds.end(), [](const Find& a, const Find& b) {
+    return a.what->confidence > b.what->confidence;
   });
   if (finds.size() > most_finds) finds.resize(most_finds);
   return finds;
@@ -48,7 +56,7 @@ void judge(const ScoredPicture& picture, std::size_t nth, const std::string& kin
   for (const Label& label : picture.labels)
     if (label.of == kind) (label.is_crowd ? crowds : labels).push_back(&label);
   std::vector<bool> is_taken(labels.size());
-  for (const Detection* find : finds_of(picture, kind)) {
+  for (const auto [find, is_told] : finds_of(picture, kind)) {
     std::optional<std::size_t> best;
     double most = least_overlap;
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -59,10 +67,11 @@ void judge(const ScoredPicture& picture, std::size_t nth, const std::string& kin
     }
     if (best) is_taken[*best] = true;
     const bool is_of_crowd =
-        !best && std::any_of(crowds.begin(), crowds.end(), [&](const Label* crowd) {
-          return share_in(find->box, crowd->box) >= least_overlap;
+        !best && std::any_of(crowds.begin(), crowds.end(), [&, what = find](const Label* crowd) {
+          return share_in(what->box, crowd->box) >= least_overlap;
         });
-    if (!is_of_crowd) set.finds.push_back({find->confidence, nth, best.has_value()});
+    if (is_of_crowd) continue;
+    set.finds.push_back({find->confidence, nth, best.has_value(), is_told});
   }
   set.labels.push_back(labels.size());
 }
@@ -128,9 +137,11 @@ KindScore score_of_kind(std::span<const ScoredPicture> pictures, const std::stri
   KindScore score;
   score.of = kind;
   for (const std::size_t of_picture : set.labels) score.labels += of_picture;
-  score.found = set.finds.size();
-  const auto right = static_cast<double>(std::count_if(
-      set.finds.begin(), set.finds.end(), [](const Judged& find) { return find.is_right; }));
+  double right = 0;
+  for (const Judged& find : set.finds) {
+    score.found += find.is_told ? 1 : 0;
+    right += find.is_told && find.is_right ? 1 : 0;
+  }
   if (score.labels > 0) {
     score.average_precision = with_range(set, seed);
     score.recall = right / static_cast<double>(score.labels);
@@ -140,7 +151,7 @@ KindScore score_of_kind(std::span<const ScoredPicture> pictures, const std::stri
   for (const ScoredPicture& picture : pictures) {
     if (!picture.labels.empty()) continue;
     ++without;
-    alarms += static_cast<double>(finds_of(picture, kind).size());
+    for (const Find& find : finds_of(picture, kind)) alarms += find.is_told ? 1 : 0;
   }
   if (without > 0) score.false_alarms_per_100 = 100 * alarms / without;
   return score;

@@ -14,6 +14,7 @@ namespace slackwater::api {
 struct ScoredPicture {
   std::vector<Label> labels;
   std::vector<Detection> found;
+  std::vector<Detection> unsure = {};  ///< that its detector would not tell (detector.h)
 };
 
 /// A share with the range in which 95 of 100 sets of as many pictures would have it.
@@ -29,15 +30,16 @@ struct ShareWithin {
 /// find of the picture has taken: the one that it overlaps most. Over all pictures, surest first,
 /// each find gives a recall r (labels found so far) and a precision p (finds right so far); AP is
 /// the mean over r = 0, 0.01 ... 1 of the best precision at that recall or a higher one, 0 where
-/// none gets so far. Finds of a crowd count neither way, and of a picture the surest 100.
+/// none gets so far. It is asked of all that the detector believes to see, unsure or not; all else
+/// here is of what it tells. Finds of a crowd count neither way, and of a picture the surest 100.
 /// This is AP50 of the COCO evaluation (Lin et al. 2014, arXiv:1405.0312; cocodataset.org), for
 /// labels of any size: held equal to pycocotools by a test.
 ///
 /// The range is by drawing the pictures 1 000 times with replacement (bootstrap, 2.5 and 97.5 %).
 struct KindScore {
   std::string of;
-  std::size_t labels = 0;  ///< crowds not counted
-  std::size_t found = 0;
+  std::size_t labels = 0;                        ///< crowds not counted
+  std::size_t found = 0;                         ///< right or wrong
   std::optional<ShareWithin> average_precision;  ///< nothing without labels
   std::optional<double> recall;                  ///< of all finds together
   std::optional<double> precision;               ///< nothing without finds

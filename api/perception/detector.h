@@ -21,6 +21,13 @@ class Detector {
   [[nodiscard]] virtual const std::vector<std::string>& kinds() const noexcept = 0;
   /// Surest first; the same answer for the same picture.
   [[nodiscard]] virtual std::vector<Detection> find(const twin::Picture& picture) = 0;
+  /// The same, and after them what it is not sure enough of to tell, down to a confidence of 0.05
+  /// where it has one: what could be found at the price of more false alarms.
+  [[nodiscard]] virtual std::vector<Detection> find_unsure_too(const twin::Picture& picture) {
+    return find(picture);
+  }
+  /// `find` tells what it is so sure of.
+  [[nodiscard]] virtual double least_confidence() const noexcept { return 0; }
 };
 
 /// One of data/detectors by its name, else a file of that form (network.h and those beside it).

@@ -15,6 +15,7 @@ namespace slackwater::api {
 namespace {
 
 constexpr std::size_t most_found = 300;
+constexpr double unsure_from = 0.05;
 /// Some hundred bytes a pixel are between the layers.
 constexpr std::size_t most_pixels_at_once = 50'000'000;
 constexpr double most_difference = 1e-4;
@@ -50,28 +51,13 @@ class Network : public Detector {
   }
 
   [[nodiscard]] std::vector<Detection> find(const twin::Picture& picture) override {
-    if (!model_.input.fitted &&
-        static_cast<std::size_t>(picture.wide) * static_cast<std::size_t>(picture.high) >
-            most_pixels_at_once)
-      refuse(
-          formatted("found a picture of {} x {} pixels, expected at most {} for a network that "
-                    "looks at all of them: cut it into parts, or scale it down",
-                    picture.wide, picture.high, most_pixels_at_once));
-    const Fitted fitted = fit(picture);
-    std::vector<Detection> found;
-    const std::vector<cv::Mat> heads = forward(fitted.blob);
-    for (std::size_t i = 0; i < model_.grids.size(); ++i)
-      decode_grid(model_.grids[i], heads[i], fitted.blob, found);
-    if (model_.rows) decode_rows(*model_.rows, heads.front(), found);
-    for (Detection& one : found) {
-      PixelBox& box = one.box;
-      box.left = std::clamp(box.left * fitted.scale, 0.0, double(picture.wide));
-      box.right = std::clamp(box.right * fitted.scale, 0.0, double(picture.wide));
-      box.top = std::clamp(box.top * fitted.scale, 0.0, double(picture.high));
-      box.bottom = std::clamp(box.bottom * fitted.scale, 0.0, double(picture.high));
-    }
-    std::erase_if(found, [](const Detection& one) { return !(one.box.area() > 0); });
-    return without_doubles(std::move(found), model_.most_overlap, most_found);
+    return found_in(picture, model_.least_confidence);
+  }
+  [[nodiscard]] std::vector<Detection> find_unsure_too(const twin::Picture& picture) override {
+    return found_in(picture, std::min(unsure_from, model_.least_confidence));
+  }
+  [[nodiscard]] double least_confidence() const noexcept override {
+    return model_.least_confidence;
   }
 
   /// @throws Error(invalid_input) where it does not say what its file says that it must
@@ -106,6 +92,31 @@ class Network : public Detector {
   }
 
  private:
+  [[nodiscard]] std::vector<Detection> found_in(const twin::Picture& picture, double least) {
+    if (!model_.input.fitted &&
+        static_cast<std::size_t>(picture.wide) * static_cast<std::size_t>(picture.high) >
+            most_pixels_at_once)
+      refuse(
+          formatted("found a picture of {} x {} pixels, expected at most {} for a network that "
+                    "looks at all of them: cut it into parts, or scale it down",
+                    picture.wide, picture.high, most_pixels_at_once));
+    const Fitted fitted = fit(picture);
+    std::vector<Detection> found;
+    const std::vector<cv::Mat> heads = forward(fitted.blob);
+    for (std::size_t i = 0; i < model_.grids.size(); ++i)
+      decode_grid(model_.grids[i], heads[i], fitted.blob, least, found);
+    if (model_.rows) decode_rows(*model_.rows, heads.front(), least, found);
+    for (Detection& one : found) {
+      PixelBox& box = one.box;
+      box.left = std::clamp(box.left * fitted.scale, 0.0, double(picture.wide));
+      box.right = std::clamp(box.right * fitted.scale, 0.0, double(picture.wide));
+      box.top = std::clamp(box.top * fitted.scale, 0.0, double(picture.high));
+      box.bottom = std::clamp(box.bottom * fitted.scale, 0.0, double(picture.high));
+    }
+    std::erase_if(found, [](const Detection& one) { return !(one.box.area() > 0); });
+    return without_doubles(std::move(found), model_.most_overlap, most_found);
+  }
+
   [[nodiscard]] Fitted fit(const twin::Picture& picture) const {
     const cv::Mat rgb(picture.high, picture.wide, CV_8UC3,
                       const_cast<std::uint8_t*>(picture.rgb.data()));  // NOLINT: only read
@@ -155,7 +166,7 @@ class Network : public Detector {
     return heads;
   }
 
-  void decode_grid(const HeadGrid& grid, const cv::Mat& head, const cv::Mat& blob,
+  void decode_grid(const HeadGrid& grid, const cv::Mat& head, const cv::Mat& blob, double least,
                    std::vector<Detection>& found) const {
     const auto kinds = static_cast<int>(model_.kinds.size());
     const int high = blob.size[2] / grid.stride_px, wide = blob.size[3] / grid.stride_px;
@@ -173,7 +184,7 @@ class Network : public Detector {
       for (int row = 0; row < high; ++row) {
         for (int column = 0; column < wide; ++column) {
           const double confidence = sigmoid(number(kind, row, column));
-          if (!(confidence >= model_.least_confidence)) continue;
+          if (!(confidence >= least)) continue;
           const auto side = [&](int nth) {
             return grid.stride_px * std::exp(std::min(8.0, number(kinds + nth, row, column)));
           };
@@ -186,7 +197,8 @@ class Network : public Detector {
     }
   }
 
-  void decode_rows(const HeadRows& rows, const cv::Mat& head, std::vector<Detection>& found) const {
+  void decode_rows(const HeadRows& rows, const cv::Mat& head, double least,
+                   std::vector<Detection>& found) const {
     const std::size_t kinds = model_.kinds.size();
     const auto width = static_cast<int>(kinds + (rows.has_objectness ? 5 : 4));
     const int many = head.dims == 3 ? head.size[rows.is_transposed ? 2 : 1] : 0;
@@ -204,7 +216,7 @@ class Network : public Detector {
       const double of_any = rows.has_objectness ? number(row, 4) : 1;
       for (std::size_t kind = 0; kind < kinds; ++kind) {
         const double confidence = of_any * number(row, kind + (rows.has_objectness ? 5 : 4));
-        if (!(confidence >= model_.least_confidence)) continue;
+        if (!(confidence >= least)) continue;
         const double x = number(row, 0), y = number(row, 1);
         const double half_wide = number(row, 2) / 2, half_high = number(row, 3) / 2;
         found.push_back({model_.kinds[kind],

@@ -1,6 +1,7 @@
 #include "api/perception/score_detector.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "api/perception/read_picture.h"
 #include "fields/base/error.h"
@@ -39,7 +40,13 @@ DetectorScore score_detector(Detector& detector, const LabelledPictures& set,
     refuse("found labels of " + joined(labelled, ", ") + ", but the detector finds " +
            joined(detector.kinds(), ", ") + ": expected at least one kind of the same name");
   for (const LabelledPicture& one : set.pictures) {
-    score.pictures.push_back({one.labels, detector.find(read_as_labelled(one))});
+    ScoredPicture picture{one.labels, detector.find_unsure_too(read_as_labelled(one)), {}};
+    const auto told = std::stable_partition(
+        picture.found.begin(), picture.found.end(),
+        [&](const Detection& find) { return find.confidence >= detector.least_confidence(); });
+    picture.unsure.assign(told, picture.found.end());
+    picture.found.erase(told, picture.found.end());
+    score.pictures.push_back(std::move(picture));
     if (on_picture) on_picture(score.pictures.size());
   }
   for (const std::string& kind : both) score.kinds.push_back(score_of_kind(score.pictures, kind));

@@ -73,6 +73,24 @@ TEST(AveragePrecision, TakesTheBestPrecisionAtThatRecallOrAHigherOne) {
       (51 * 1.0 + 50 * 2.0 / 3) / 101, 1e-12);
 }
 
+// What a detector would not tell counts for the precision at recalls beyond its own, there alone.
+TEST(AveragePrecision, AsksOfUnsureFindsToo) {
+  std::vector<ScoredPicture> pictures{{{label_at(0), label_at(50)}, {find_at(0, 0.9)}},
+                                      {{}, {find_at(7, 0.8)}}};
+  const KindScore told = score_of_kind(pictures, "crack");
+  pictures[0].unsure = {find_at(50, 0.3)};
+  pictures[1].unsure = {find_at(70, 0.2)};
+  const KindScore with_unsure = score_of_kind(pictures, "crack");
+  EXPECT_DOUBLE_EQ(told.average_precision->share, 51.0 / 101);
+  EXPECT_NEAR(with_unsure.average_precision->share, (51 + 50 * 2.0 / 3) / 101, 1e-12);
+  EXPECT_EQ(told.found, 2U);
+  EXPECT_EQ(with_unsure.found, 2U);
+  EXPECT_EQ(*with_unsure.recall, 0.5);
+  EXPECT_EQ(*with_unsure.precision, 0.5);
+  EXPECT_EQ(*with_unsure.false_alarms_per_100, 100);
+  EXPECT_EQ(with_unsure.false_alarms_per_100, told.false_alarms_per_100);
+}
+
 TEST(AveragePrecision, CountsASecondFindOfALabelAsFalse) {
   const KindScore score = score_of_kind(
       std::vector<ScoredPicture>{{{label_at(0)}, {find_at(0, 0.9), find_at(1, 0.8)}}}, "crack");

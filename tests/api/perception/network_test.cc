@@ -112,6 +112,23 @@ TEST_F(NetworkDetector, FitsAPictureIntoAFixedSizeAndItsBoxesBack) {
   EXPECT_NEAR(found[0].box.bottom, 4 * (12 + 16), 1e-3);
 }
 
+// A logit of -2 is a confidence of 0.12, less than the file's 0.25: not told unless it is asked
+// for; one of -4, 0.02, is not even then.
+TEST_F(NetworkDetector, SaysWhatItIsUnsureOfWhereItIsAsked) {
+  Picture picture = plate(64, 40, {0, 0, 0});
+  paint(picture, 16, 8, 24, 16, {204, 0, 51});  // 10 (0.8 - 0.2) - 5 = 1
+  paint(picture, 40, 8, 48, 16, {102, 0, 25});  // -1.98
+  paint(picture, 40, 24, 48, 32, {51, 0, 25});  // -3.98
+  const auto network = detector(redness());
+  const auto told = network->find(picture), all = network->find_unsure_too(picture);
+  EXPECT_EQ(network->least_confidence(), 0.25);
+  ASSERT_EQ(told.size(), 1U);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].box, told[0].box);
+  EXPECT_NEAR(all[1].confidence, 1 / (1 + std::exp(1.98)), 0.01);
+  EXPECT_NEAR(all[1].box.left, 44 - 8, 1e-4);
+}
+
 TEST_F(NetworkDetector, IsTheSameForTheSamePicture) {
   const auto network = detector(redness());
   Picture picture = plate(64, 64, {180, 20, 40});

@@ -62,19 +62,21 @@ void detect_in(const std::vector<std::string>& files, Detector& detector, const 
   if (context.json) std::printf("%s\n", dumped(out).c_str());
 }
 
-/// As the tools of COCO read results.
+/// As the tools of COCO read results: all that the precision was asked of.
 json results_json(const DetectorScore& score, const LabelledPictures& set) {
   json results = json::array();
   for (std::size_t i = 0; i < score.pictures.size(); ++i) {
-    for (const Detection& one : score.pictures[i].found) {
-      const auto category = set.categories.find(one.of);
-      if (category == set.categories.end()) continue;
-      json result = detection_json(one);
-      results.push_back({{"image_id", set.pictures[i].id},
-                         {"category_id", category->second},
-                         {"bbox", result["bbox"]},
-                         {"score", one.confidence}});
-    }
+    const ScoredPicture& picture = score.pictures[i];
+    for (const auto* finds : {&picture.found, &picture.unsure})
+      for (const Detection& one : *finds) {
+        const auto category = set.categories.find(one.of);
+        if (category == set.categories.end()) continue;
+        json result = detection_json(one);
+        results.push_back({{"image_id", set.pictures[i].id},
+                           {"category_id", category->second},
+                           {"bbox", result["bbox"]},
+                           {"score", one.confidence}});
+      }
   }
   return results;
 }
