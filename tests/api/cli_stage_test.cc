@@ -138,7 +138,7 @@ TEST_F(StageCommand, TheShippedDetectorFindsRustInThem) {
   ASSERT_EQ(kinds.size(), 2U);
   EXPECT_EQ(kinds[0].at("of"), "corrosion");
   EXPECT_GE(kinds[0].at("ap50").at("value"), 0.85) << kinds[0];
-  EXPECT_GE(kinds[1].at("ap50").at("value"), 0.7) << kinds[1];
+  EXPECT_GE(kinds[1].at("ap50").at("value"), 0.8) << kinds[1];
 }
 
 TEST_F(StageCommand, RefusesInOneLine) {

@@ -39,6 +39,11 @@ class Evened(nn.Module):
 
     def mean(self, x):
         reach = self.SIDE // 2
+        if not torch.onnx.is_in_onnx_export():  # the same by running sums, which take half as long
+            across = nn.functional.pad(x, (reach + 1, reach)).cumsum(3)
+            across = across[..., self.SIDE :] - across[..., : -self.SIDE]
+            down = nn.functional.pad(across, (0, 0, reach + 1, reach)).cumsum(2)
+            return (down[..., self.SIDE :, :] - down[..., : -self.SIDE, :]) / self.SIDE**2
         along = nn.functional.conv2d(x, self.row, padding=(0, reach), groups=3)
         return nn.functional.conv2d(along, self.column, padding=(reach, 0), groups=3)
 

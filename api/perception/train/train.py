@@ -58,7 +58,7 @@ class Batches:
         places = self.alarming.take(self.rng, AGAIN)
         places += [self.pictures.place(self.rng, SIDE) for _ in range(BATCH - len(places))]
         inputs, boxes, labels = batch(self.pictures, places, self.rng, SIDE)
-        return places, self.evened(inputs), boxes, labels
+        return places, self.evened(inputs).contiguous(memory_format=torch.channels_last), boxes, labels
 
     def next(self, alarmed):
         """alarmed: what add() of Alarming is told of the last batch."""
@@ -68,11 +68,19 @@ class Batches:
         return made
 
 
+def has_bfloat16():
+    """Whether the processor multiplies matrices of bfloat16 (AMX): a step takes a third of its time, for the same network."""
+    flags = pathlib.Path("/proc/cpuinfo")
+    return flags.exists() and "amx_bf16" in flags.read_text().split()
+
+
 def trained(pictures, arguments):
     """The network, a running mean of its weights over the steps, and how many steps it had."""
     kinds = len(arguments.kinds)
-    network = Network(kinds)
+    # Channels last: the convolutions take half as long as with each channel's plane apart.
+    network = Network(kinds).to(memory_format=torch.channels_last)
     mean = copy.deepcopy(network)
+    half = has_bfloat16()
     batches, alarmed = Batches(pictures, network.evened, arguments.seed), ([], [])
     optimiser = torch.optim.AdamW(network.parameters(), lr=BEST_RATE, weight_decay=1e-2)
     begin, step, told = time.monotonic(), 0, 0.0
@@ -86,7 +94,9 @@ def trained(pictures, arguments):
         for group in optimiser.param_groups:
             group["lr"] = rate
         places, evened, boxes, labels = batches.next(alarmed)
-        wrong, alarms = loss(network.heads_of(evened), boxes, labels, kinds)
+        with torch.autocast("cpu", dtype=torch.bfloat16, enabled=half):
+            heads = network.heads_of(evened)
+        wrong, alarms = loss([head.float() for head in heads], boxes, labels, kinds)
         alarmed = (alarms, places)
         optimiser.zero_grad()
         wrong.backward()
