@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t longest_axis = std::size_t{1} << 22;
 
-[[noreturn]] void refuse(const netcdf::Variable& variable, const std::string& why) {
+[[noreturn]] void refuse_axis(const netcdf::Variable& variable, const std::string& why) {
   throw Error(ErrorKind::invalid_input, "variable '" + variable.name + "': " + why);
 }
 
@@ -117,13 +117,15 @@ void refuse_other_grids(const netcdf::File& file, const netcdf::Variable& data) 
     if (is_one_of(standard_name, {"latitude", "longitude"}) || horizontal(by_name) ||
         horizontal(by_units)) {
       if (follows_time(file, *coordinate))
-        refuse(data, "has a place for each time (" + name +
-                         " runs along time): a track or scattered observations, no grid; expected "
-                         "a grid, or a series of one place with one latitude and longitude");
-      refuse(data, "lies on a curvilinear grid (" + name + " has " +
-                       std::to_string(coordinate->dimensions.size()) +
-                       " dimensions); expected one-dimensional latitude and longitude; regrid it "
-                       "first (cdo remapbil)");
+        refuse_axis(data,
+                    "has a place for each time (" + name +
+                        " runs along time): a track or scattered observations, no grid; expected "
+                        "a grid, or a series of one place with one latitude and longitude");
+      refuse_axis(data,
+                  "lies on a curvilinear grid (" + name + " has " +
+                      std::to_string(coordinate->dimensions.size()) +
+                      " dimensions); expected one-dimensional latitude and longitude; regrid it "
+                      "first (cdo remapbil)");
     }
   }
 }
@@ -134,9 +136,9 @@ void bind(BoundVariable& bound, AxisKind kind, const BoundAxis& axis) {
                      : kind == AxisKind::latitude ? &bound.latitude
                                                   : &bound.longitude;
   if (place->dimension && axis.dimension) {
-    refuse(*bound.variable, "has two axes of one kind, '" + place->coordinate->name + "' and '" +
-                                axis.coordinate->name +
-                                "'; expected one time, level, latitude and longitude");
+    refuse_axis(*bound.variable, "has two axes of one kind, '" + place->coordinate->name +
+                                     "' and '" + axis.coordinate->name +
+                                     "'; expected one time, level, latitude and longitude");
   }
   if (place->coordinate == nullptr || axis.dimension) *place = axis;
 }
@@ -195,16 +197,18 @@ BoundVariable bind_axes(const netcdf::File& file, const netcdf::Variable& variab
       const std::string standard_name =
           coordinate == nullptr ? "" : coordinate->text("standard_name").value_or("");
       if (standard_name.starts_with("projection_") || standard_name.starts_with("grid_")) {
-        refuse(variable, "lies on a projected or rotated grid ('" + dimension + "' is a " +
-                             standard_name +
-                             "); expected latitude and longitude; regrid it first (cdo remapbil)");
+        refuse_axis(variable,
+                    "lies on a projected or rotated grid ('" + dimension + "' is a " +
+                        standard_name +
+                        "); expected latitude and longitude; regrid it first (cdo remapbil)");
       }
-      refuse(variable,
-             "dimension '" + dimension + "' of length " + std::to_string(variable.shape[d]) +
-                 (coordinate == nullptr ? " has no coordinate variable"
-                                        : " is neither time, level, latitude nor longitude") +
-                 "; expected (time, level, latitude, longitude) with coordinates; select one slice "
-                 "first");
+      refuse_axis(
+          variable,
+          "dimension '" + dimension + "' of length " + std::to_string(variable.shape[d]) +
+              (coordinate == nullptr ? " has no coordinate variable"
+                                     : " is neither time, level, latitude nor longitude") +
+              "; expected (time, level, latitude, longitude) with coordinates; select one slice "
+              "first");
     }
   }
   for (const netcdf::Variable& scalar : file.variables()) {
@@ -226,15 +230,16 @@ BoundVariable bind_axes(const netcdf::File& file, const netcdf::Variable& variab
     }
   }
   if (bound.latitude.coordinate == nullptr || bound.longitude.coordinate == nullptr) {
-    refuse(variable, std::string("has no ") +
-                         (bound.latitude.coordinate == nullptr ? "latitude" : "longitude") +
-                         "; expected coordinate variables of latitude and longitude");
+    refuse_axis(variable, std::string("has no ") +
+                              (bound.latitude.coordinate == nullptr ? "latitude" : "longitude") +
+                              "; expected coordinate variables of latitude and longitude");
   }
   if (bound.time.coordinate == nullptr && !quantity.is_static) {
-    refuse(variable,
-           "has no time, neither an axis nor a scalar coordinate; expected 'time' with units like "
-           "'hours "
-           "since 1950-01-01'");
+    refuse_axis(
+        variable,
+        "has no time, neither an axis nor a scalar coordinate; expected 'time' with units like "
+        "'hours "
+        "since 1950-01-01'");
   }
   return bound;
 }
@@ -260,9 +265,9 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
   LevelAxis axis;
   if (quantity.realm == Realm::surface) {
     if (bound.vertical.dimension && data.shape[*bound.vertical.dimension] > 1) {
-      refuse(data, quantity.standard_name + " comes on " +
-                       std::to_string(data.shape[*bound.vertical.dimension]) +
-                       " levels; expected none or one");
+      refuse_axis(data, quantity.standard_name + " comes on " +
+                            std::to_string(data.shape[*bound.vertical.dimension]) +
+                            " levels; expected none or one");
     }
     return axis;
   }
@@ -277,11 +282,12 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
   if (bound.vertical.coordinate == nullptr) {
     const std::optional<double> assumed = air ? quantity.height_m : product.current_depth_m;
     if (!assumed) {
-      refuse(data, std::string("has no ") + (air ? "height" : "depth") +
-                       ", neither an axis nor a scalar coordinate, and product '" + product.id +
-                       "' does not give it; expected metres below the surface; download it with "
-                       "its depth" +
-                       say_so);
+      refuse_axis(data,
+                  std::string("has no ") + (air ? "height" : "depth") +
+                      ", neither an axis nor a scalar coordinate, and product '" + product.id +
+                      "' does not give it; expected metres below the surface; download it with "
+                      "its depth" +
+                      say_so);
     }
     axis.order = level_axis({*assumed});
     return axis;
@@ -296,10 +302,11 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
     const bool up = is_one_of(standard_name, {"height", "altitude"}) ||
                     name.starts_with("height") || name == "elevation";
     if (!down && !up) {
-      refuse(coordinate,
-             std::string("says neither 'positive' nor a standard name; expected positive: up or "
-                         "down") +
-                 say_so);
+      refuse_axis(
+          coordinate,
+          std::string("says neither 'positive' nor a standard name; expected positive: up or "
+                      "down") +
+              say_so);
     }
     positive = up ? "up" : "down";
     if (down && std::all_of(metres.begin(), metres.end(), [](double z) { return z <= 0; }) &&
@@ -310,16 +317,17 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
     }
   }
   if (positive != "up" && positive != "down")
-    refuse(coordinate, "positive is '" + positive + "'; expected up or down");
+    refuse_axis(coordinate, "positive is '" + positive + "'; expected up or down");
   if ((positive == "up") != air) {
     for (double& z : metres) z = z == 0.0 ? 0.0 : -z;
   }
   axis.order = level_axis(metres);
   if (axis.order.values.front() < (air ? 0.0 : -1.0)) {
-    refuse(coordinate, std::string(air ? "heights" : "depths") + " start at " +
-                           std::to_string(axis.order.values.front()) +
-                           " m, on the wrong side of the sea surface; expected `positive` to tell "
-                           "which way they count");
+    refuse_axis(coordinate,
+                std::string(air ? "heights" : "depths") + " start at " +
+                    std::to_string(axis.order.values.front()) +
+                    " m, on the wrong side of the sea surface; expected `positive` to tell "
+                    "which way they count");
   }
   return axis;
 }
@@ -327,16 +335,17 @@ LevelAxis levels_of(const netcdf::File& file, const BoundVariable& bound, const 
 std::vector<double> coordinate_values(const netcdf::File& file, const netcdf::Variable& coordinate,
                                       const Product& product, std::string_view unit) {
   if (coordinate.size() > longest_axis) {
-    refuse(coordinate, "an axis of " + std::to_string(coordinate.size()) +
-                           " places; expected at most " + std::to_string(longest_axis));
+    refuse_axis(coordinate, "an axis of " + std::to_string(coordinate.size()) +
+                                " places; expected at most " + std::to_string(longest_axis));
   }
   std::vector<std::string> ignored;
   Packing packing = Packing::of(coordinate, ignored);
   if (!unit.empty()) {
     const auto found = product.attribute(coordinate, "units");
     if (!found) {
-      refuse(coordinate, "has no units, and product '" + product.id +
-                             "' does not give them; expected '" + std::string(unit) + "'" + say_so);
+      refuse_axis(coordinate, "has no units, and product '" + product.id +
+                                  "' does not give them; expected '" + std::string(unit) + "'" +
+                                  say_so);
     }
     const std::string what = "axis '" + coordinate.name + "'";
     const bool geographic =

@@ -11,7 +11,7 @@
 namespace slackwater::ingest {
 namespace {
 
-[[noreturn]] void refuse(const netcdf::File& file, const std::string& why) {
+[[noreturn]] void refuse_file(const netcdf::File& file, const std::string& why) {
   throw Error(ErrorKind::invalid_input, file.path().string() +
                                             ": not a content file of the store: " + why +
                                             "; run `slackwater store check`");
@@ -19,12 +19,12 @@ namespace {
 
 const netcdf::Variable& need(const netcdf::File& file, const std::string& name) {
   const netcdf::Variable* found = file.find(name);
-  if (found == nullptr) refuse(file, "no variable '" + name + "'");
+  if (found == nullptr) refuse_file(file, "no variable '" + name + "'");
   return *found;
 }
 
 UtcTime time_of(const netcdf::File& file, double seconds) {
-  if (!(std::abs(seconds) < 1e12)) refuse(file, "a time that is none");
+  if (!(std::abs(seconds) < 1e12)) refuse_file(file, "a time that is none");
   return UtcTime(Duration(std::llround(seconds * 1000.0)));
 }
 
@@ -34,7 +34,7 @@ std::vector<TimeCell> read_times(const netcdf::File& file) {
   const std::vector<double> centres = file.read_all(need(file, "time"));
   if (const netcdf::Variable* bounds = file.find("time_bnds")) {
     const std::vector<double> edges = file.read_all(*bounds);
-    if (edges.size() != 2 * centres.size()) refuse(file, "time_bnds does not fit time");
+    if (edges.size() != 2 * centres.size()) refuse_file(file, "time_bnds does not fit time");
     for (std::size_t t = 0; t < centres.size(); ++t) {
       cells.push_back({time_of(file, edges[2 * t]), time_of(file, edges[2 * t + 1])});
     }
@@ -58,7 +58,7 @@ Grid read_grid(const netcdf::File& file) {
   try {
     expect_canonical(grid);
   } catch (const ContractViolation& violation) {
-    refuse(file, violation.what());
+    refuse_file(file, violation.what());
   }
   return grid;
 }
@@ -87,13 +87,13 @@ Granule read_granule(const netcdf::File& file) {
     const auto source_name = variable.text("source_name");
     if (!source_name) continue;
     if (variable.shape != shape)
-      refuse(file, "variable '" + variable.name + "' does not fit the axes");
+      refuse_file(file, "variable '" + variable.name + "' does not fit the axes");
     granule.variables.push_back({variable.name, variable.text("units").value_or(""), *source_name,
                                  variable.text("contains_stokes") == "true",
                                  variable.find("ancillary_variables") != nullptr,
                                  tide_of(variable)});
   }
-  if (granule.variables.empty()) refuse(file, "no values");
+  if (granule.variables.empty()) refuse_file(file, "no values");
   granule.product_id = file.text("product").value_or("");
   granule.dataset_id = file.text("dataset").value_or("");
   granule.is_regional = file.text("region") == "regional";
@@ -108,7 +108,7 @@ Granule read_granule(const netcdf::File& file) {
     granule.ensemble_member = static_cast<int>(std::clamp(*member, -1e6, 1e6));
   }
   const auto status = data_status_from(file.text("status").value_or(""));
-  if (!status) refuse(file, "no status");
+  if (!status) refuse_file(file, "no status");
   granule.status = *status;
   if (const auto reference = file.text("reference_time"))
     granule.reference_time = parse_utc(*reference);
@@ -176,7 +176,7 @@ GriddedField GranuleFile::read(std::string_view standard_name, std::size_t first
     field.status.reserve(flags.size());
     for (const float flag : flags) {
       if (!(flag <= static_cast<float>(SampleStatus::suspect)))
-        refuse(state_->file, "an unknown status flag");
+        refuse_file(state_->file, "an unknown status flag");
       field.status.push_back(static_cast<SampleStatus>(static_cast<int>(flag)));
     }
   }

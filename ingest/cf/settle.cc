@@ -21,9 +21,9 @@ bool are_same_name(const std::string& a, const std::string& b, const Vocabulary&
   return a == b || (quantity != nullptr && quantity == vocabulary.by_standard_name(b));
 }
 
-[[noreturn]] void refuse(const netcdf::Variable& variable, const char* attribute,
-                         const std::string& own, const std::string& stated,
-                         const Product& product) {
+[[noreturn]] void refuse_attribute(const netcdf::Variable& variable, const char* attribute,
+                                   const std::string& own, const std::string& stated,
+                                   const Product& product) {
   throw Error(ErrorKind::invalid_input,
               "variable '" + variable.name + "': the file says " + attribute + " '" + own +
                   "', the descriptor of product '" + product.id + "' says '" + stated +
@@ -42,7 +42,7 @@ void settle_one(netcdf::File& file, const netcdf::Variable& variable, const char
   if (own.empty() || own == "unknown" || own == "none") {
     file.settle(variable, attribute, *stated);
   } else if (!are_same(own, *stated)) {
-    refuse(variable, attribute, own, *stated, product);
+    refuse_attribute(variable, attribute, own, *stated, product);
   }
 }
 
@@ -81,7 +81,7 @@ void settle(netcdf::File& file, const Product& product, const Vocabulary& vocabu
     // A name that is not ours may be anything, this too; one of ours is a statement.
     const bool is_ours = vocabulary.by_standard_name(own) != nullptr;
     if (is_ours && !same_name(own, standard_name))
-      refuse(*variable, "standard_name", own, standard_name, product);
+      refuse_attribute(*variable, "standard_name", own, standard_name, product);
   }
 }
 

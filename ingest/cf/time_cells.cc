@@ -13,7 +13,7 @@
 namespace slackwater::ingest {
 namespace {
 
-[[noreturn]] void refuse(const netcdf::Variable& time, const std::string& why) {
+[[noreturn]] void refuse_time(const netcdf::Variable& time, const std::string& why) {
   throw Error(ErrorKind::invalid_input, "time axis '" + time.name + "': " + why);
 }
 
@@ -190,8 +190,9 @@ std::vector<TimeCell> cells_from_bounds(const netcdf::File& file, const netcdf::
                                         const TimeCode& time_code, const Product& product,
                                         std::vector<std::string>& warnings) {
   if (bounds.size() != 2 * stamps.size()) {
-    refuse(time, "its bounds '" + bounds.name + "' hold " + std::to_string(bounds.size()) +
-                     " values; expected 2 for each of " + std::to_string(stamps.size()) + " times");
+    refuse_time(time, "its bounds '" + bounds.name + "' hold " + std::to_string(bounds.size()) +
+                          " values; expected 2 for each of " + std::to_string(stamps.size()) +
+                          " times");
   }
   TimeCode code = time_code;
   if (const auto own = bounds.text("units")) {
@@ -204,11 +205,11 @@ std::vector<TimeCell> cells_from_bounds(const netcdf::File& file, const netcdf::
   for (std::size_t t = 0; t < stamps.size(); ++t) {
     const TimeCell cell{edges[2 * t], edges[2 * t + 1]};
     if (cell.end < cell.start) {
-      refuse(bounds, "interval " + std::to_string(t) + " ends (" + format_utc(cell.end) +
-                         ") before it starts (" + format_utc(cell.start) + ")");
+      refuse_time(bounds, "interval " + std::to_string(t) + " ends (" + format_utc(cell.end) +
+                              ") before it starts (" + format_utc(cell.start) + ")");
     }
     if (t > 0 && cell.centre() <= cells.back().centre())
-      refuse(bounds, "intervals repeat at index " + std::to_string(t));
+      refuse_time(bounds, "intervals repeat at index " + std::to_string(t));
     cells.push_back(cell);
   }
   return cells;
@@ -221,13 +222,13 @@ std::vector<TimeCell> time_cells(const netcdf::File& file, const netcdf::Variabl
                                  std::vector<std::string>& warnings) {
   const auto units = product.attribute(time, "units");
   if (!units)
-    refuse(time, std::string("has no units; expected e.g. 'hours since 1950-01-01'") + say_so);
+    refuse_time(time, std::string("has no units; expected e.g. 'hours since 1950-01-01'") + say_so);
   const TimeCode code = with_context("time axis '" + time.name + "'", [&] {
     return TimeCode::parse(*units, time.text("calendar").value_or(""), warnings);
   });
   const std::vector<UtcTime> stamps =
       decode_all(code, coordinate_values(file, time, product, ""), time);
-  if (stamps.empty()) refuse(time, "is empty; expected at least one time");
+  if (stamps.empty()) refuse_time(time, "is empty; expected at least one time");
   check_stamps(stamps, warnings);
 
   const std::optional<Duration> spacing = spacing_of(stamps);
@@ -242,15 +243,15 @@ std::vector<TimeCell> time_cells(const netcdf::File& file, const netcdf::Variabl
       const TimeCell cell = mean_of(stamp, rule);
       if (!cells.empty() && cell.centre() <= cells.back().centre()) {
         const bool is_daily = rule.label == MeanLabel::utc_day;
-        refuse(time, (is_daily ? "two daily means fall on " : "two means fall on ") +
-                         (is_daily ? format_day(day_of(stamp)) : format_utc(cell.start)) +
-                         (is_daily ? "; expected one a day" : "; expected one an interval"));
+        refuse_time(time, (is_daily ? "two daily means fall on " : "two means fall on ") +
+                              (is_daily ? format_day(day_of(stamp)) : format_utc(cell.start)) +
+                              (is_daily ? "; expected one a day" : "; expected one an interval"));
       }
       const UtcTime middle = cell.start + (cell.end - cell.start) / 2;
       if (rule.label == MeanLabel::utc_step && !is_near(stamp, cell.start, rule.step) &&
           !is_near(stamp, middle, rule.step)) {
-        refuse(time, "a mean over " + length_of(cell) + " is stamped " + format_utc(stamp) +
-                         "; expected the start or the middle of its interval" + say_so);
+        refuse_time(time, "a mean over " + length_of(cell) + " is stamped " + format_utc(stamp) +
+                              "; expected the start or the middle of its interval" + say_so);
       }
       cells.push_back(cell);
     }
@@ -289,18 +290,20 @@ std::vector<TimeCell> time_cells(const netcdf::File& file, const netcdf::Variabl
   }
   if (says_mean) {
     if (!spacing) {
-      refuse(time,
-             "one mean without bounds: its interval is unknown; expected time bounds, or a product "
-             "descriptor with a mean rule");
+      refuse_time(
+          time,
+          "one mean without bounds: its interval is unknown; expected time bounds, or a product "
+          "descriptor with a mean rule");
     }
     return means(rule_without_bounds(file, stamps, *spacing), " without bounds");
   }
   if (has_means_within_a_day(data, product)) {
     if (!spacing) {
-      refuse(time, "one stamp, " + format_utc(stamps.front()) + ", and product '" + product.id +
-                       "' has instants and means; expected two times or more, or the name of the "
-                       "dataset in the file or its name (cmems_mod_…_PT1H-m.nc)" +
-                       say_so);
+      refuse_time(time,
+                  "one stamp, " + format_utc(stamps.front()) + ", and product '" + product.id +
+                      "' has instants and means; expected two times or more, or the name of the "
+                      "dataset in the file or its name (cmems_mod_…_PT1H-m.nc)" +
+                      say_so);
     }
     if (*spacing > std::chrono::hours(1)) {
       warnings.push_back("time axis '" + time.name + "' is taken as instants: product '" +

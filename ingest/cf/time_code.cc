@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t day_ms = 86'400'000;
 constexpr const char* expected_form = "expected e.g. 'hours since 1950-01-01 00:00:00'";
 
-[[noreturn]] void refuse(std::string_view units, const std::string& why) {
+[[noreturn]] void refuse_code(std::string_view units, const std::string& why) {
   throw Error(ErrorKind::invalid_input, "time units '" + std::string(units) + "': " + why);
 }
 
@@ -34,9 +34,9 @@ double unit_of(std::string_view word, std::string_view units) {
   if (is({"microsecond", "microseconds"})) return 1e-3;
   if (is({"nanosecond", "nanoseconds"})) return 1e-6;
   if (is({"month", "months", "year", "years", "common_year", "common_years"})) {
-    refuse(units, "a " + name + " has no fixed length; rewrite the axis in days or hours");
+    refuse_code(units, "a " + name + " has no fixed length; rewrite the axis in days or hours");
   }
-  refuse(units, "unknown unit '" + std::string(word) + "'; " + expected_form);
+  refuse_code(units, "unknown unit '" + std::string(word) + "'; " + expected_form);
 }
 
 /// Days from 1970-01-01 (Gregorian) of a date in the Julian calendar.
@@ -53,7 +53,7 @@ std::int64_t days_of_gregorian_date(int year, int month, int day, std::string_vi
   const std::chrono::year_month_day date{std::chrono::year(year),
                                          std::chrono::month(static_cast<unsigned>(month)),
                                          std::chrono::day(static_cast<unsigned>(day))};
-  if (!date.ok()) refuse(units, std::string("no such reference date; ") + expected_form);
+  if (!date.ok()) refuse_code(units, std::string("no such reference date; ") + expected_form);
   return std::chrono::sys_days(date).time_since_epoch().count();
 }
 
@@ -111,14 +111,14 @@ Reference parse_reference(TextScanner& scan, std::string_view units) {
   const auto month = dashes ? scan.number(1, 2) : std::nullopt;
   const auto day = month && scan.take('-') ? scan.number(1, 2) : std::nullopt;
   if (!day || *month < 1 || *month > 12 || *day < 1 || *day > 31) {
-    refuse(units, std::string("no reference date; ") + expected_form);
+    refuse_code(units, std::string("no reference date; ") + expected_form);
   }
   reference = {*year, *month, *day, 0};
   const bool spaced = scan.skip_blanks();
   const bool letter = scan.take('T') || scan.take('t');
   if ((spaced || letter) && scan.at_digit()) {
     const auto time = time_of_day(scan);
-    if (!time) refuse(units, std::string("no such reference time; ") + expected_form);
+    if (!time) refuse_code(units, std::string("no such reference time; ") + expected_form);
     reference.time_of_day_ms = *time;
   }
   scan.skip_blanks();
@@ -126,7 +126,7 @@ Reference parse_reference(TextScanner& scan, std::string_view units) {
     const auto offset = zone(scan);
     scan.skip_blanks();
     if (!offset || !scan.at_end())
-      refuse(units, std::string("unreadable after the date; ") + expected_form);
+      refuse_code(units, std::string("unreadable after the date; ") + expected_form);
     reference.time_of_day_ms -= *offset;
   }
   return reference;
@@ -169,7 +169,7 @@ TimeCode TimeCode::parse(std::string_view units, std::string_view calendar,
   const std::string_view word = scan.word();
   scan.skip_blanks();
   if (word.empty() || !scan.take_word("since"))
-    refuse(units, std::string("no time units; ") + expected_form);
+    refuse_code(units, std::string("no time units; ") + expected_form);
   scan.skip_blanks();
   TimeCode code;
   code.unit_ms_ = unit_of(word, units);

@@ -95,8 +95,8 @@ ut_system* unit_system() {
   return system;
 }
 
-[[noreturn]] void refuse(std::string_view found, std::string_view canonical, std::string_view what,
-                         std::string_view why) {
+[[noreturn]] void refuse_units(std::string_view found, std::string_view canonical,
+                               std::string_view what, std::string_view why) {
   throw Error(ErrorKind::invalid_input,
               std::string(what) + ": found unit '" + std::string(found) + "' (" + std::string(why) +
                   "); expected a unit that converts to '" + std::string(canonical) +
@@ -111,23 +111,23 @@ UnitConversion unit_conversion(std::string_view found, std::string_view canonica
   const std::string target(meaning_of(canonical));
   if (meaning == target) return {};
   if (meaning == "degC" && target == "K") return {1.0, 273.15};
-  if (found.size() > 128) refuse(found.substr(0, 40), canonical, what, "too long for a unit");
+  if (found.size() > 128) refuse_units(found.substr(0, 40), canonical, what, "too long for a unit");
   static std::mutex mutex;  // UDUNITS is not thread-safe
   const std::lock_guard<std::mutex> lock(mutex);
   ut_system* system = unit_system();
   const Unit from(ut_parse(system, meaning.c_str(), UT_UTF8));
   const Unit to(ut_parse(system, target.c_str(), UT_UTF8));
-  if (from == nullptr) refuse(found, canonical, what, "UDUNITS does not know this unit");
-  if (to == nullptr) refuse(found, canonical, what, "the canonical unit is unknown");
+  if (from == nullptr) refuse_units(found, canonical, what, "UDUNITS does not know this unit");
+  if (to == nullptr) refuse_units(found, canonical, what, "the canonical unit is unknown");
   const Unit one(ut_get_dimensionless_unit_one(system));
   const bool number_for_angle =
       ut_compare(from.get(), one.get()) == 0 && ut_compare(to.get(), one.get()) != 0;
   if (number_for_angle || ut_are_convertible(from.get(), to.get()) == 0) {
-    refuse(found, canonical, what, "another dimension");
+    refuse_units(found, canonical, what, "another dimension");
   }
   const std::unique_ptr<cv_converter, FreeConverter> converter(
       ut_get_converter(from.get(), to.get()));
-  if (converter == nullptr) refuse(found, canonical, what, "no conversion");
+  if (converter == nullptr) refuse_units(found, canonical, what, "no conversion");
   UnitConversion conversion;
   conversion.offset = cv_convert_double(converter.get(), 0.0);
   conversion.scale = cv_convert_double(converter.get(), 1.0) - conversion.offset;
@@ -135,7 +135,7 @@ UnitConversion unit_conversion(std::string_view found, std::string_view canonica
   const double at_ten = cv_convert_double(converter.get(), 10.0);
   if (!(std::abs(at_ten - (10.0 * conversion.scale + conversion.offset)) <=
         1e-6 * (1.0 + std::abs(at_ten)))) {
-    refuse(found, canonical, what, "not a linear unit");
+    refuse_units(found, canonical, what, "not a linear unit");
   }
   return conversion;
 }
