@@ -28,10 +28,6 @@ json to_json(const IngestReport& report) {
           {"warnings", report.warnings}};
 }
 
-json problem(ErrorKind kind, const std::string& message) {
-  return {{"kind", static_cast<int>(kind)}, {"problem", message}};
-}
-
 std::string out_of_memory(const std::filesystem::path& file, const Allowance& allowance) {
   return "reading " + file.string() + " wants more than " +
          std::to_string(allowance.memory_bytes >> 30U) +
@@ -73,6 +69,10 @@ Allowance allowance_for(const std::filesystem::path& file) {
   return allowance;
 }
 
+json problem_json(ErrorKind kind, const std::string& message) {
+  return {{"kind", static_cast<int>(kind)}, {"problem", message}};
+}
+
 Error error_of(const Apart& apart, const std::filesystem::path& file, const Allowance& allowance) {
   expects(apart.end != Apart::End::answered, "what answered is no error");
   const std::string library = looks_like_grib(file) ? "the GRIB library" : "the NetCDF library";
@@ -107,11 +107,11 @@ IngestReport ingest_file_apart(const std::filesystem::path& store_folder,
       store.leave_log();
       answer = to_json(ingest_file(store, products, file, options, now, tell));
     } catch (const Error& error) {
-      answer = problem(error.kind(), error.message());
+      answer = problem_json(error.kind(), error.message());
     } catch (const std::bad_alloc&) {
-      answer = problem(ErrorKind::invalid_input, out_of_memory(file, allowance));
+      answer = problem_json(ErrorKind::invalid_input, out_of_memory(file, allowance));
     } catch (const std::exception& fault) {
-      answer = problem(ErrorKind::internal, "reading " + file.string() + ": " + fault.what());
+      answer = problem_json(ErrorKind::internal, "reading " + file.string() + ": " + fault.what());
     }
     return answer.dump(-1, ' ', false, json::error_handler_t::replace);
   };

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "api/pipeline/ingest/ingest_files.h"
 #include "api/pipeline/ingest/run_apart.h"
@@ -25,6 +27,9 @@ namespace slackwater::api {
 
 /// What the reader of a file may use: ten minutes and a minute for each GiB of it.
 [[nodiscard]] Allowance allowance_for(const std::filesystem::path& file);
+
+/// What a reader answers of a file that it refuses: an error, told across processes.
+[[nodiscard]] nlohmann::json problem_json(ErrorKind kind, const std::string& message);
 
 /// The error of a reader that did not answer.
 [[nodiscard]] Error error_of(const Apart& apart, const std::filesystem::path& file,

@@ -64,10 +64,6 @@ json to_json(const ingest::HistoryOfFile& history) {
   return answer;
 }
 
-json problem(ErrorKind kind, const std::string& message) {
-  return {{"kind", static_cast<int>(kind)}, {"problem", message}};
-}
-
 }  // namespace
 
 ingest::HistoryOfFile read_history_apart(const std::filesystem::path& file,
@@ -80,12 +76,12 @@ ingest::HistoryOfFile read_history_apart(const std::filesystem::path& file,
     try {
       answer = to_json(ingest::read_history(file, wanted, options, vocabulary));
     } catch (const Error& error) {
-      answer = problem(error.kind(), error.message());
+      answer = problem_json(error.kind(), error.message());
     } catch (const std::bad_alloc&) {
-      answer = problem(ErrorKind::invalid_input,
-                       "reading " + file.string() + " wants too much memory: cut it");
+      answer = problem_json(ErrorKind::invalid_input,
+                            "reading " + file.string() + " wants too much memory: cut it");
     } catch (const std::exception& fault) {
-      answer = problem(ErrorKind::internal, "reading " + file.string() + ": " + fault.what());
+      answer = problem_json(ErrorKind::internal, "reading " + file.string() + ": " + fault.what());
     }
     const std::vector<std::uint8_t> bytes = json::to_cbor(answer);
     return std::string(bytes.begin(), bytes.end());
