@@ -77,7 +77,8 @@ void Session::begin(const api::RunInHand& hand) {
         {"step_s", hand.run.step_s()},
         {"start", format_utc(hand.start)},
         {"origin", {{"lat", hand.origin.latitude_deg()}, {"lon", hand.origin.longitude_deg()}}},
-        {"structures", structures}};
+        {"structures", structures},
+        {"sea", sea_json(hand.environment->sea.get())}};
   }
   hand.run.at_barrier(
       [this, &control = hand.control](const twin::StepTime&) { look_at_run(control); });

@@ -22,6 +22,7 @@ void look_at_weather(const twin::EnvironmentSampler& water, double t_s, Surround
       around.hub_wind_m_s = twin::horizontal_of(wind.velocity_m_s);
   }
   if (const SeaSample sea = water.sea({}, t_s); has_value(sea.status)) around.sea = sea.sea;
+  if (const SeaRealisation* waves = water.waves()) around.waves_factor = waves->course().at(t_s);
   if (const CurrentSample current = water.forecast_current({}, t_s); has_value(current.status))
     around.current_m_s = current.velocity_m_s;
   around.visibility_m = water.visibility_m();

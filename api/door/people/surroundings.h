@@ -22,6 +22,7 @@ struct VesselNow {
 struct Surroundings {
   std::optional<Horizontal> wind_10m_m_s, hub_wind_m_s;  ///< towards, free; absent: nobody knows
   std::optional<SeaState> sea;
+  double waves_factor = 1;  ///< on the heights of the run's waves now (height_course.h)
   std::optional<Horizontal> current_m_s;                   ///< towards, at the surface
   std::optional<double> visibility_m, water_visibility_m;  ///< where somebody says so
   twin::WeatherAsked asked;                                ///< what is led

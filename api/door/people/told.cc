@@ -94,6 +94,15 @@ json structure_json(const twin::Structure& structure, std::size_t place) {
           {"top_m", -box.centre_m.z + box.half_size_m.z}};
 }
 
+json sea_json(const SeaRealisation* sea) {
+  if (sea == nullptr || sea->waves().empty()) return nullptr;
+  json waves = json::array();
+  for (const WaveComponent& wave : sea->waves())
+    waves.push_back({wave.amplitude_m, wave.wavenumber_rad_m.real(), wave.wavenumber_rad_m.imag(),
+                     wave.absolute_rad_s, wave.phase_rad});
+  return {{"depth_m", sea->water().depth_m}, {"waves", waves}};
+}
+
 json traffic_json(const Surroundings& around) {
   json vessels = json::array();
   for (const VesselNow& vessel : around.vessels) {
@@ -127,6 +136,7 @@ json weather_json(const Surroundings& around, double time_s, const std::optional
   told["waves_m"] = rounded(sea.significant_height_m, 0.01);
   told["waves_period_s"] = rounded(sea.peak_period_s, 0.1);
   told["waves_from_deg"] = rounded(sea.from_direction_deg, 1);
+  told["waves_factor"] = rounded(around.waves_factor, 1e-3);
   told["visibility_m"] = or_null(around.visibility_m);
   told["water_visibility_m"] = or_null(around.water_visibility_m);
   json led = json::array();

@@ -17,6 +17,9 @@ namespace slackwater::people {
 [[nodiscard]] nlohmann::json structure_json(const twin::Structure& structure, std::size_t place);
 using api::action_json;
 
+/// The waves of a run: [a m, k east, k north rad/m, omega rad/s, phase rad] each, so that a station
+/// has the surface as the vehicles do. Null: a calm sea.
+[[nodiscard]] nlohmann::json sea_json(const SeaRealisation* sea);
 [[nodiscard]] nlohmann::json traffic_json(const Surroundings& around);
 /// @param led_by  who leads it; empty: nobody
 [[nodiscard]] nlohmann::json weather_json(const Surroundings& around, double time_s,

@@ -8,6 +8,7 @@
 #include "api/door/people/playback/logged_run.h"
 #include "api/log/command_tables.h"
 #include "api/program/paths.h"
+#include "fields/wave/sea_sampling.h"
 #include "fields/wind/log_profile.h"
 #include "tests/api/door/people/station_for_tests.h"
 #include "tests/support/contains.h"
@@ -45,13 +46,30 @@ traffic:
 
 struct LedSession : testing::Test {
   twin::CommandArbiter* arbiter = nullptr;  ///< as another door has it
-  SessionUnderWay run{fleet,
-                      {4, people::TokenBook::drawn(UtcTime::max()),
-                       [this](const api::RunInHand& hand) { arbiter = &hand.arbiter; }}};
+  std::shared_ptr<const twin::Environment> environment;
+  SessionUnderWay run{
+      fleet, {4, people::TokenBook::drawn(UtcTime::max()), [this](const api::RunInHand& hand) {
+                arbiter = &hand.arbiter;
+                environment = hand.environment;
+              }}};
   StationClient ann{run, run.token(Role::drives)};
   StationClient sue{run, run.token(Role::supervises)};
   StationClient guest{run, run.token(Role::looks_on)};
   json anns = ann.hello("Ann"), sues = sue.hello("Sue"), guests = guest.hello("Gus");
+
+  /// As a station has it, by the formula of api/docs/session_wire.md.
+  static double elevation_m(const json& sea, double factor, const Horizontal& at, double t_s) {
+    double sum = 0;
+    for (const json& wave : sea.at("waves"))
+      sum += wave[0].get<double>() *
+             std::cos(wave[1].get<double>() * at.real() + wave[2].get<double>() * at.imag() -
+                      wave[3].get<double>() * t_s + wave[4].get<double>());
+    return factor * sum;
+  }
+  /// As the vehicles have it.
+  static double elevation_m(const SeaRealisation& sea, const Horizontal& at, double t_s) {
+    return sample_waves(sea, {at.real(), at.imag(), 0, t_s}).motion.elevation_m;
+  }
 
   static json gale() {
     return {{"do", "weather"},
@@ -100,6 +118,32 @@ TEST_F(LedSession, EverybodyIsShownTheWeatherAndWhatOfItIsLed) {
                                   std::abs(is["wind_m_s"].get<double>() - 4) < 0.01;
                          })
                    .is_null());
+}
+
+// Three buoys: a station has the surface under them as the vehicles of the run do, by the waves
+// that its welcome told and the factor of the weather, before and after somebody led them higher.
+TEST_F(LedSession, EverybodyHasTheSeaThatTheVehiclesAreIn) {
+  const json sea = guests.at("sea");
+  EXPECT_EQ(sea.at("depth_m"), 40);
+  ASSERT_EQ(sea.at("waves").size(), 16U);
+  const auto expect_the_same = [&](const SeaRealisation& own, const json& weather) {
+    const double factor = weather.at("waves_factor");
+    for (const Horizontal& buoy : {Horizontal{0, 0}, {-320.5, 77}, {1500, -2200}})
+      for (const double t_s : {0.0, 12.3, 1799.9})
+        EXPECT_NEAR(elevation_m(sea, factor, buoy, t_s), elevation_m(own, buoy, t_s), 0.003);
+  };
+  EXPECT_EQ(guests.at("weather").at("waves_factor"), 1);
+  expect_the_same(*environment->sea, guests.at("weather"));
+  expect_taken(sue.asks({{"do", "weather"}, {"waves_m", 1.2}, {"over_s", 1}}));
+  const json led = guest.told(
+      "weather", [](const json& is) { return is["settles_in_s"] == 0 && !is["led"].empty(); });
+  ASSERT_FALSE(led.is_null());
+  EXPECT_NEAR(led.at("waves_factor").get<double>(), 2.4, 0.01);
+  // Long settled: the same at all times to come.
+  const SeaRealisation& higher = *environment->weather->now()->sea;
+  const double t_s = 1800;
+  EXPECT_NEAR(elevation_m(sea, led.at("waves_factor"), {10, 20}, t_s),
+              elevation_m(higher, {10, 20}, t_s), 0.003);
 }
 
 TEST_F(LedSession, WhatNoWeatherIsIsRefusedWithWhatWouldDo) {
