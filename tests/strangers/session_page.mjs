@@ -412,6 +412,23 @@ const steps = {
     return words;
   },
 
+  async "the scene shows the vehicles where the plan does, and gives the plan back"() {
+    await ann.press("Scene");
+    const label = await ann.until("a vehicle in the scene", () => {
+      const shown = [...document.querySelectorAll(".scene-label")].find((it) => !it.hidden && it.textContent.startsWith("rov 1"));
+      return shown?.textContent;
+    });
+    assert.match(label, /m deep$/);
+    await ann.press("On board");
+    await ann.page.focus("#scene-canvas");
+    await ann.page.keyboard.press("ArrowLeft");
+    const image = await ann.page.$("#scene-canvas").then((it) => it.screenshot({ encoding: "base64" }));
+    assert(image.length > 1000);
+    await ann.press("Scene");
+    await ann.until("the plan", () => document.querySelector("#scene").hidden);
+    return label;
+  },
+
   async "axe-core finds nothing, and nothing is wider than its window"() {
     const eve = await Person.sitDown("Eve", browsers[1]);
     let looks = 0;

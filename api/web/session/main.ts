@@ -16,6 +16,7 @@ import { orders_bar } from './panel/orders_bar';
 import { people_panel } from './panel/people_panel';
 import { picture_panel } from './panel/picture_panel';
 import { playback_bar } from './panel/playback_bar';
+import { scene_panel } from './panel/scene_panel';
 import { settings_dialog } from './panel/settings_dialog';
 import { state_panel } from './panel/state_panel';
 import { supervise_panel } from './panel/supervise_panel';
@@ -149,7 +150,9 @@ const follow = button(
   },
   { 'aria-pressed': 'true' },
 );
+const scene = scene_panel(() => (canvases_are_old = true));
 by_id('plan-tools').append(
+  scene.opener,
   follow,
   button(
     'All',
@@ -254,7 +257,8 @@ function draw(): void {
   if (!canvases_are_old || by_id('live').hidden) return;
   canvases_are_old = false;
   const { session, chosen } = station;
-  plan.draw({ session, tracks, chosen, speed_unit: settings.speed_unit, draft: way.draft() });
+  if (scene.is_open()) scene.draw({ session, tracks, chosen });
+  else plan.draw({ session, tracks, chosen, speed_unit: settings.speed_unit, draft: way.draft() });
   draw_depth(depth_canvas, { session, tracks, chosen, along });
   if (session.frame !== null) wire.drawn(session.frame.number);
 }

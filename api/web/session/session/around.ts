@@ -8,6 +8,7 @@ export interface Weather {
   waves_m: number | null;
   waves_period_s: number | null;
   waves_from_deg: number | null;
+  waves_factor: number; // on the heights of the sea's waves
   current_m_s: number | null;
   current_to_deg: number | null;
   visibility_m: number | null; // nothing: nobody says
@@ -39,6 +40,7 @@ export function read_weather(value: unknown): Weather | null {
     waves_m: as_number(it.waves_m),
     waves_period_s: as_number(it.waves_period_s),
     waves_from_deg: as_number(it.waves_from_deg),
+    waves_factor: as_number(it.waves_factor) ?? 1,
     current_m_s: as_number(it.current_m_s),
     current_to_deg: as_number(it.current_to_deg),
     visibility_m: as_number(it.visibility_m),

@@ -18,6 +18,7 @@ import type {
   Vehicle,
 } from './message';
 import { read_playback, type Playback } from './playback';
+import { read_sea, type Sea } from './sea';
 
 const ACTIONS_KEPT = 400;
 const WORDS_KEPT = 50;
@@ -45,6 +46,8 @@ export interface Session {
   /** Of each camera the last, by vehicle and sensor. */
   pictures: Map<string, Picture>;
   weather: Weather | null;
+  /** Null: calm, or a recording, which does not tell. */
+  sea: Sea | null;
   vessels: Vessel[];
   actions: Action[];
   said: Said[];
@@ -72,6 +75,7 @@ export function empty_session(): Session {
     alarms: new Map(),
     pictures: new Map(),
     weather: null,
+    sea: null,
     vessels: [],
     actions: [],
     said: [],
@@ -181,6 +185,7 @@ function welcome(session: Session, message: Json): void {
   session.helms = new Map(read.read_helms(message.helms).map((it) => [it.vehicle, it]));
   session.pictures = new Map(read.read_pictures(message.pictures).map((it) => [camera_of(it), it]));
   session.weather = read_weather(message.weather);
+  session.sea = read_sea(message.sea);
   session.vessels = read_vessels(read.as_object(message.traffic)?.vessels);
   // What a welcome does not carry is told anew after it: the old is of a link that is gone.
   session.poses.clear();

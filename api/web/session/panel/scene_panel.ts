@@ -1,0 +1,145 @@
+// The scene in place of the plan: opened by who wants it, looked about in with pointer or keys.
+import { button, by_id, choice, element, set_hidden, set_text } from '../../look/element';
+import { SceneView, type Shown } from '../scene/scene_view';
+import type { Stand } from '../scene/eye';
+
+const TURN_RAD_PER_PX = 0.006;
+const TURN_BY_KEY_RAD = 0.12;
+const CLOSER_BY_STEP = 1.15;
+
+export interface ScenePanel {
+  readonly opener: HTMLButtonElement;
+  is_open(): boolean;
+  /** Draws, if it is open. */
+  draw(shown: Shown): void;
+}
+
+export function scene_panel(on_change: () => void): ScenePanel {
+  const canvas = element('canvas', {
+    id: 'scene-canvas',
+    tabindex: 0,
+    role: 'application',
+    'aria-label':
+      'The scene in depth. Arrow keys turn, plus and minus come closer. ' +
+      'The table of vehicles says the same in words.',
+  });
+  const labels = element('div', { class: 'scene-labels', 'aria-hidden': true });
+  const note = element('p', { class: 'plan-note', role: 'status' });
+  let view: SceneView | null = null;
+  let shown: Shown | null = null;
+  const stands = choice<Stand>(
+    'Where you look from',
+    [
+      ['follow', 'Follow'],
+      ['on_board', 'On board'],
+      ['above', 'Above'],
+      ['free', 'Free'],
+    ],
+    (stand) => {
+      if (view === null) return;
+      view.eye.stand = stand;
+      stands.show(stand);
+      on_change();
+    },
+  );
+  const all = button('All', () => {
+    if (view === null || shown === null) return;
+    view.see_all(shown.session);
+    stands.show(view.eye.stand);
+    on_change();
+  });
+  const clear = button(
+    'Clear water',
+    () => {
+      if (view === null) return;
+      view.is_clear = !view.is_clear;
+      clear.setAttribute('aria-pressed', String(view.is_clear));
+      set_text(note, view.is_clear ? 'Shown clearer than it is: nobody sees so far there.' : '');
+      set_hidden(note, !view.is_clear);
+      on_change();
+    },
+    { 'aria-pressed': 'false' },
+  );
+  const tools = element('div', { class: 'tools scene-tools' }, stands.node, all, clear);
+  const box = element('div', { id: 'scene', hidden: true }, canvas, labels, note, tools);
+  by_id('plan').after(box);
+
+  const open = (): void => {
+    if (view === null) {
+      try {
+        view = new SceneView(canvas, labels);
+        stands.show(view.eye.stand);
+        set_text(note, '');
+      } catch {
+        set_text(note, 'This browser does not draw in depth (WebGL 2). The plan shows the same.');
+      }
+      set_hidden(note, note.textContent === '');
+    }
+  };
+  const opener = button(
+    'Scene',
+    () => {
+      set_hidden(box, !box.hidden);
+      opener.setAttribute('aria-pressed', String(!box.hidden));
+      if (!box.hidden) open();
+      on_change();
+    },
+    { 'aria-pressed': 'false' },
+  );
+
+  let from: { x: number; y: number } | null = null;
+  const turn = (right_rad: number, up_rad: number): void => {
+    view?.eye.turn(right_rad, up_rad);
+    on_change();
+  };
+  canvas.addEventListener('pointerdown', (event) => {
+    from = { x: event.clientX, y: event.clientY };
+    canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener('pointermove', (event) => {
+    if (from === null) return;
+    turn(
+      (event.clientX - from.x) * TURN_RAD_PER_PX,
+      (event.clientY - from.y) * TURN_RAD_PER_PX,
+    );
+    from = { x: event.clientX, y: event.clientY };
+  });
+  for (const end of ['pointerup', 'pointercancel'] as const)
+    canvas.addEventListener(end, () => (from = null));
+  const closer = (factor: number): void => {
+    view?.eye.closer(factor);
+    on_change();
+  };
+  canvas.addEventListener(
+    'wheel',
+    (event) => {
+      event.preventDefault();
+      closer(event.deltaY < 0 ? CLOSER_BY_STEP : 1 / CLOSER_BY_STEP);
+    },
+    { passive: false },
+  );
+  canvas.addEventListener('keydown', (event) => {
+    const by_key: Record<string, () => void> = {
+      ArrowLeft: () => turn(-TURN_BY_KEY_RAD, 0),
+      ArrowRight: () => turn(TURN_BY_KEY_RAD, 0),
+      ArrowUp: () => turn(0, TURN_BY_KEY_RAD),
+      ArrowDown: () => turn(0, -TURN_BY_KEY_RAD),
+      '+': () => closer(CLOSER_BY_STEP),
+      '-': () => closer(1 / CLOSER_BY_STEP),
+    };
+    const deed = by_key[event.key];
+    if (deed === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    deed();
+  });
+
+  return {
+    opener,
+    is_open: () => !box.hidden,
+    draw: (now) => {
+      shown = now;
+      if (!box.hidden) view?.draw(now);
+    },
+  };
+}

@@ -1,0 +1,119 @@
+// Where things are in the scene, by the formulae of frames; what the surface looks like is for
+// tests/strangers/drawn-sea.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Vector3 } from 'three';
+import { at_place, turned } from 'page/scene/axes';
+import { fading_per_m } from 'page/scene/air_and_water';
+import { Eye } from 'page/scene/eye';
+import { vehicle_shape } from 'page/scene/shapes';
+import type { Pose } from 'page/session/frame';
+import { read_vehicle } from 'page/session/message';
+
+const near = (found: Vector3, expected: readonly number[], within = 1e-9): void => {
+  const off = found.distanceTo(new Vector3(...expected));
+  assert.ok(off < within, `${found.toArray().join(' ')} is not ${expected.join(' ')}`);
+};
+
+/** Body forward, right, down to the scene, by Rz(psi) Ry(theta) Rx(phi) to north, east, down. */
+function body_to_scene(
+  of: readonly number[],
+  roll: number,
+  pitch: number,
+  heading: number,
+): number[] {
+  const [x = 0, y = 0, z = 0] = of;
+  const [cr, sr, cp, sp] = [Math.cos(roll), Math.sin(roll), Math.cos(pitch), Math.sin(pitch)];
+  const [ch, sh] = [Math.cos(heading), Math.sin(heading)];
+  const [y1, z1] = [cr * y - sr * z, sr * y + cr * z];
+  const [x2, z2] = [cp * x + sp * z1, -sp * x + cp * z1];
+  const [north, east] = [ch * x2 - sh * y1, sh * x2 + ch * y1];
+  return [east, -z2, -north];
+}
+
+test('a place is east, up and south', () => {
+  near(at_place({ east_m: 3, north_m: 4, up_m: -5 }), [3, -5, -4]);
+});
+
+test('a vehicle is turned as its heading, pitch and roll say', () => {
+  for (const [roll_rad, pitch_rad, heading_rad] of [
+    [0, 0, 0],
+    [0.3, 0, 0],
+    [0, 0.4, 0],
+    [0, 0, 1.2],
+    [0.3, -0.7, 2.9],
+    [-2.8, 0.2, -1],
+  ] as const) {
+    const euler = turned({ roll_rad, pitch_rad, heading_rad });
+    // The shape's bow looks along -z, its starboard along x, its keel along -y.
+    const axes = [
+      [new Vector3(0, 0, -1), [1, 0, 0]],
+      [new Vector3(1, 0, 0), [0, 1, 0]],
+      [new Vector3(0, -1, 0), [0, 0, 1]],
+    ] as const;
+    for (const [of_shape, of_body] of axes)
+      near(
+        of_shape.clone().applyEuler(euler),
+        body_to_scene(of_body, roll_rad, pitch_rad, heading_rad),
+      );
+  }
+});
+
+const pose = (more: Partial<Pose>): Pose => ({
+  vehicle: 0,
+  east_m: 0,
+  north_m: 0,
+  up_m: 0,
+  roll_rad: 0,
+  pitch_rad: 0,
+  heading_rad: 0,
+  east_m_s: 0,
+  north_m_s: 0,
+  up_m_s: 0,
+  current_east_m_s: 0,
+  current_north_m_s: 0,
+  bed_m: null,
+  charge: null,
+  halted: false,
+  ...more,
+});
+
+test('on board one looks where the camera is turned to', () => {
+  const eye = new Eye();
+  eye.stand = 'on_board';
+  const rov = pose({ east_m: 10, north_m: 20, up_m: -5, heading_rad: Math.PI / 2 });
+  eye.place(rov, { pan_deg: 90, tilt_deg: 0, zoom: 1 }, 0.5);
+  near(eye.camera.getWorldDirection(new Vector3()), [0, 0, 1], 1e-9); // east and 90 more: south
+  eye.place(rov, { pan_deg: 0, tilt_deg: 30, zoom: 1 }, 0.5);
+  near(eye.camera.getWorldDirection(new Vector3()), [Math.sqrt(3) / 2, 0.5, 0], 1e-9);
+  const wide_deg = eye.camera.fov;
+  eye.place(rov, { pan_deg: 0, tilt_deg: 0, zoom: 4 }, 0.5);
+  const half = (deg: number): number => Math.tan((deg * Math.PI) / 360);
+  assert.ok(Math.abs(half(wide_deg) / half(eye.camera.fov) - 4) < 1e-9);
+});
+
+test('who follows keeps the vehicle in the middle, from above with north up', () => {
+  const eye = new Eye();
+  const rov = pose({ east_m: 100, north_m: -40, up_m: -7 });
+  eye.place(rov, null, 1);
+  near(at_place(rov).project(eye.camera).setZ(0), [0, 0, 0], 1e-6);
+  eye.stand = 'above';
+  eye.place(rov, null, 1);
+  const north = at_place({ ...rov, north_m: -39 }).project(eye.camera);
+  assert.ok(north.y > 0 && Math.abs(north.x) < 1e-6);
+});
+
+test('as far as somebody says, else as far as the renders take', () => {
+  assert.equal(fading_per_m(null, true), 4.8 / 8);
+  const weather = { visibility_m: 1000, water_visibility_m: 2 } as never;
+  assert.equal(fading_per_m(weather, true), 2.4);
+  assert.equal(fading_per_m(weather, false), 0.003);
+});
+
+test('every kind has a shape of its size', () => {
+  for (const kind of ['uav', 'rov', 'auv', 'usv', 'crew_vessel']) {
+    const vehicle = read_vehicle({ vehicle: 1, name: 'it', kind, length_m: 4, width_m: 4 });
+    assert.ok(vehicle !== null);
+    assert.ok(vehicle_shape(vehicle).children.length > 0, kind);
+  }
+});
