@@ -1,5 +1,5 @@
 // In a browser: the heights of the surface as the graphics card draws it, beside the sum of its
-// waves. Bundled and opened by drawn-sea; what it found is in the title.
+// waves, within 1 cm. Bundled and opened by scene-drawn.
 import {
   FloatType,
   NoBlending,
@@ -10,19 +10,8 @@ import {
   WebGLRenderer,
 } from 'three';
 import { Water } from 'page/scene/water';
-import { elevation_m, read_sea } from 'page/session/sea';
-
-// 64 waves of a Pierson-Moskowitz sea, spread about north-east; their phases evenly scattered.
-const waves = Array.from({ length: 64 }, (_, i) => {
-  const omega = 0.5 + 0.025 * i;
-  const density = 0.0081 * 9.81 ** 2 * omega ** -5 * Math.exp(-1.25 * (0.75 / omega) ** 4);
-  const towards = Math.PI / 4 + 0.8 * (((0.618034 * i) % 1) - 0.5);
-  const k = omega ** 2 / 9.81;
-  const amplitude = Math.sqrt(0.05 * density);
-  const phase = 6.283 * ((0.754878 * i) % 1);
-  return [amplitude, k * Math.cos(towards), k * Math.sin(towards), omega, phase];
-});
-const sea = read_sea({ depth_m: 60, waves });
+import { elevation_m } from 'page/session/sea';
+import { made_up_sea as sea } from './made_up_waves';
 
 const renderer = new WebGLRenderer();
 const target = new WebGLRenderTarget(1, 1, { type: FloatType });
@@ -46,12 +35,17 @@ function drawn_m(at: Vector2, about: Vector2, factor: number, time_s: number): n
   return texel[0] ?? Number.NaN;
 }
 
-const found = [];
+let most_m = 0; // off
+let highest_m = 0;
 for (const buoy of [new Vector2(0, 0), new Vector2(812.5, -4310), new Vector2(-2500, 77)])
   for (const [factor, time_s] of [[1, 0], [1, 93.7], [0.6, 250_000.3]] as const)
-    for (const off of [new Vector2(0, 0), new Vector2(4.2, -2.6)])
-      found.push({
-        drawn_m: drawn_m(buoy, buoy.clone().add(off), factor, time_s),
-        is_m: elevation_m(sea, factor, buoy.x, buoy.y, time_s),
-      });
-document.title = JSON.stringify(found);
+    for (const off of [new Vector2(0, 0), new Vector2(4.2, -2.6)]) {
+      const is_m = elevation_m(sea, factor, buoy.x, buoy.y, time_s);
+      const drawn = drawn_m(buoy, buoy.clone().add(off), factor, time_s);
+      most_m = Math.max(most_m, Math.abs(drawn - is_m));
+      highest_m = Math.max(highest_m, Math.abs(is_m));
+    }
+const within_mm = (1000 * most_m).toFixed(1);
+const said = `18 heights of up to ${highest_m.toFixed(2)} m, drawn within ${within_mm} mm`;
+const is_right = most_m < 0.01 && highest_m > 0.5; // a sea that hardly moves proves nothing
+document.title = JSON.stringify({ said, fault: is_right ? '' : 'expected within 10 mm' });

@@ -98,6 +98,11 @@ export class SceneView {
     this.scene.add(new AmbientLight('#ffffff', 1.2), sun, this.water.mesh, this.bed);
   }
 
+  /** What the last picture asked of the graphics card. */
+  asked(): { calls: number; triangles: number } {
+    return this.renderer.info.render;
+  }
+
   see_all(session: Session): void {
     this.eye.see_all([...session.poses.values()].map(at_place));
   }

@@ -1,5 +1,5 @@
 // Where things are in the scene, by the formulae of frames; what the surface looks like is for
-// tests/strangers/drawn-sea.
+// tests/strangers/scene-drawn.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Vector3 } from 'three';
@@ -7,8 +7,8 @@ import { at_place, turned } from 'page/scene/axes';
 import { fading_per_m } from 'page/scene/air_and_water';
 import { Eye } from 'page/scene/eye';
 import { vehicle_shape } from 'page/scene/shapes';
-import type { Pose } from 'page/session/frame';
 import { read_vehicle } from 'page/session/message';
+import { pose_with as pose } from './pose_for_tests';
 
 const near = (found: Vector3, expected: readonly number[], within = 1e-9): void => {
   const off = found.distanceTo(new Vector3(...expected));
@@ -57,25 +57,6 @@ test('a vehicle is turned as its heading, pitch and roll say', () => {
         body_to_scene(of_body, roll_rad, pitch_rad, heading_rad),
       );
   }
-});
-
-const pose = (more: Partial<Pose>): Pose => ({
-  vehicle: 0,
-  east_m: 0,
-  north_m: 0,
-  up_m: 0,
-  roll_rad: 0,
-  pitch_rad: 0,
-  heading_rad: 0,
-  east_m_s: 0,
-  north_m_s: 0,
-  up_m_s: 0,
-  current_east_m_s: 0,
-  current_north_m_s: 0,
-  bed_m: null,
-  charge: null,
-  halted: false,
-  ...more,
 });
 
 test('on board one looks where the camera is turned to', () => {

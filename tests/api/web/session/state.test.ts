@@ -9,6 +9,7 @@ import { picture_text } from 'page/panel/picture_panel';
 import { helm_words } from 'page/panel/helm_panel';
 import { farm_text, led_text } from 'page/panel/weather_panel';
 import type { Frame, Pose } from 'page/session/frame';
+import { pose_with } from './pose_for_tests';
 
 const WELCOME: Json = {
   is: 'welcome',
@@ -126,25 +127,7 @@ test('ALostHelmSaysWhenTheVehicleGoesHome', () => {
   assert.equal(words.countdown, 'The seat is kept 29 s.');
 });
 
-function pose(vehicle: number, east_m: number): Pose {
-  return {
-    vehicle,
-    east_m,
-    north_m: 0,
-    up_m: 0,
-    roll_rad: 0,
-    pitch_rad: 0,
-    heading_rad: 0,
-    east_m_s: 0,
-    north_m_s: 0,
-    up_m_s: 0,
-    current_east_m_s: 0,
-    current_north_m_s: 0,
-    bed_m: null,
-    charge: null,
-    halted: false,
-  };
-}
+const pose = (vehicle: number, east_m: number): Pose => pose_with({ vehicle, east_m });
 function frame(number: number, is_whole: boolean, poses: Pose[]): Frame {
   return { number, step: number, time_s: number, clock_ms: number, is_whole, left_out: 0, poses };
 }
