@@ -3,14 +3,13 @@ import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
 import type { CameraPointing } from '../session/message';
 import type { Pose } from '../session/frame';
 import { at_place, turned } from './axes';
+import { CAMERA_FIELD_RAD } from '../view/vehicle_shape';
 
 export type Stand = 'follow' | 'free' | 'on_board' | 'above';
 
 const NEAREST_M = 1;
 const FARTHEST_M = 4000;
 const FIELD_DEG = 55;
-/** Of a camera that is not zoomed: as wide as those of small ROVs see under water. */
-const CAMERA_FIELD_RAD = 1.117;
 
 export class Eye {
   readonly camera = new PerspectiveCamera(FIELD_DEG, 1, 0.1, 20_000);

@@ -20,6 +20,8 @@ import {
   type Object3D,
 } from 'three';
 import { colours } from '../look/palette';
+import type { Pose } from '../session/frame';
+import type { Vehicle } from '../session/message';
 import type { Session } from '../session/state';
 import { elevation_m } from '../session/sea';
 import type { Tracks } from '../view/tracks';
@@ -27,6 +29,7 @@ import { fading_per_m, set_fog } from './air_and_water';
 import { at_place, turned } from './axes';
 import { Eye } from './eye';
 import { Labels } from './labels';
+import { camera_edges, home_mark, ring } from './marks';
 import { structure_shape, vehicle_shape, vessel_shape } from './shapes';
 import { Water } from './water';
 
@@ -145,7 +148,9 @@ export class SceneView {
       arrow.setDirection(flow.clone().normalize());
       arrow.setLength(Math.max(0.3, CURRENT_ARROW_M_PER_M_S * flow.length()), 0.4, 0.2);
       arrow.setColor(new Color(colours().water));
-      if (pose.vehicle === chosen) this.place_way(session, tracks, pose.vehicle);
+      if (pose.vehicle !== chosen) continue;
+      this.place_way(session, tracks, pose.vehicle);
+      this.place_marks(session, vehicle, pose);
     }
     for (const vessel of session.vessels) {
       const shape = this.kept.of(`vessel ${vessel.mmsi}`, () => vessel_shape(vessel));
@@ -155,16 +160,29 @@ export class SceneView {
     this.kept.drop_the_rest();
   }
 
+  private line(key: string, through: Vector3[], colour: string): void {
+    const line = this.kept.of(
+      key,
+      () => new Line(new BufferGeometry(), new LineBasicMaterial()),
+    ) as PlainLine;
+    set_line(line, through, colour);
+  }
+
+  /** What it has about it. On board its camera's own edges would be in the way. */
+  private place_marks(session: Session, vehicle: Vehicle, pose: Pose): void {
+    const { accent, amber, quiet } = colours();
+    const pointing = session.statuses.get(pose.vehicle)?.camera ?? null;
+    if (pointing !== null && this.eye.stand !== 'on_board')
+      this.line('camera', camera_edges(pose, pointing), accent);
+    const home = home_mark(vehicle);
+    if (home !== null) this.line('home', home, quiet);
+    if (vehicle.zone !== null) this.line('zone', ring(vehicle.zone, vehicle.zone.radius_m), amber);
+  }
+
   /** Where the chosen one was and goes, each waypoint with a plumb line to the surface. */
   private place_way(session: Session, tracks: Tracks, vehicle: number): void {
     const { accent, ink } = colours();
-    const been = tracks.of(vehicle).map(at_place);
-    const line = (key: string): PlainLine =>
-      this.kept.of(
-        key,
-        () => new Line(new BufferGeometry(), new LineBasicMaterial()),
-      ) as PlainLine;
-    set_line(line('track'), been, ink);
+    this.line('track', tracks.of(vehicle).map(at_place), ink);
     session.statuses.get(vehicle)?.waypoints.slice(0, 40).forEach((waypoint, nth) => {
       const ball = this.kept.of(
         `waypoint ${nth}`,
@@ -173,7 +191,7 @@ export class SceneView {
       ball.material.color.set(accent);
       ball.position.copy(at_place(waypoint));
       const ends = [at_place(waypoint), at_place({ ...waypoint, up_m: 0 })];
-      set_line(line(`plumb ${nth}`), ends, accent);
+      this.line(`plumb ${nth}`, ends, accent);
     });
   }
 

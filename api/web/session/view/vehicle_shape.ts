@@ -7,7 +7,7 @@ import type { Pixel } from './camera';
 const LEAST_LENGTH_PX = 20;
 const CAMERA_REACH_PX = 60;
 /** Of a camera that is not zoomed: as wide as those of small ROVs see under water. */
-const CAMERA_FIELD_RAD = 1.117;
+export const CAMERA_FIELD_RAD = 1.117;
 
 /** Where its camera looks: a wedge as wide as its picture, shorter as it looks up or down. */
 export function draw_camera(

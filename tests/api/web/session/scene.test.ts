@@ -6,6 +6,7 @@ import { Vector3 } from 'three';
 import { at_place, turned } from 'page/scene/axes';
 import { fading_per_m } from 'page/scene/air_and_water';
 import { Eye } from 'page/scene/eye';
+import { camera_edges, ring } from 'page/scene/marks';
 import { vehicle_shape } from 'page/scene/shapes';
 import { read_vehicle } from 'page/session/message';
 import { pose_with as pose } from './pose_for_tests';
@@ -82,6 +83,27 @@ test('who follows keeps the vehicle in the middle, from above with north up', ()
   eye.place(rov, null, 1);
   const north = at_place({ ...rov, north_m: -39 }).project(eye.camera);
   assert.ok(north.y > 0 && Math.abs(north.x) < 1e-6);
+});
+
+test('the edges of a camera are about where it looks, narrower as it is zoomed', () => {
+  const rov = pose({ heading_rad: Math.PI / 2 });
+  const middle = (zoom: number): Vector3 => {
+    const edges = camera_edges(rov, { pan_deg: 0, tilt_deg: -90, zoom });
+    const far = edges.filter((it) => it.length() > 1);
+    return far.reduce((sum, it) => sum.addScaledVector(it, 1 / far.length), new Vector3());
+  };
+  const down = middle(1).normalize();
+  assert.ok(down.y < -0.99, down.toArray().join(' '));
+  const wide = (zoom: number): number => {
+    const [, a, b] = camera_edges(rov, { pan_deg: 0, tilt_deg: 0, zoom });
+    return a!.distanceTo(b!);
+  };
+  assert.ok(Math.abs(wide(1) / wide(3) - 3) < 1e-9);
+});
+
+test('a zone is a circle of its radius', () => {
+  for (const at of ring({ east_m: 5, north_m: -2, up_m: -1 }, 30))
+    assert.ok(Math.abs(at.distanceTo(new Vector3(5, -1, 2)) - 30) < 1e-9);
 });
 
 test('as far as somebody says, else as far as the renders take', () => {
