@@ -116,14 +116,12 @@ function(slackwater_unity target)
 endfunction()
 
 # slackwater_room(<name> [FOLDER <folder>] [LINK <public targets>] [PRIVATE <private targets>]
-#                 [PRECOMPILE <headers> | REUSE <room>] [COMPUTES])
+#                 [PRECOMPILE <headers> | REUSE <room>])
 #
 # One static library per room, from every .cc below the folder, under the name slackwater::<name>.
 # REUSE takes the precompiled headers of another room, PRECOMPILE makes its own with more in them.
-# A room that COMPUTES is optimised under sanitizers, too: clang inlines nothing at -O1, and its
-# tests would take longer than the fifth that this adds to its build.
 function(slackwater_room name)
-  cmake_parse_arguments(ROOM "COMPUTES" "FOLDER;REUSE" "LINK;PRIVATE;EXCLUDE;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ROOM "" "FOLDER;REUSE" "LINK;PRIVATE;EXCLUDE;PRECOMPILE" ${ARGN})
   set(ROOM_FOLDER ${CMAKE_CURRENT_SOURCE_DIR}/${ROOM_FOLDER})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${ROOM_FOLDER}/*.cc)
   foreach(pattern ${ROOM_EXCLUDE})
@@ -140,9 +138,6 @@ function(slackwater_room name)
                               ${ROOM_PRECOMPILE})
   else()
     target_precompile_headers(slackwater_${name} REUSE_FROM slackwater_precompiled)
-  endif()
-  if(ROOM_COMPUTES AND SLACKWATER_SANITIZE)
-    target_compile_options(slackwater_${name} PRIVATE -O2)
   endif()
   slackwater_unity(slackwater_${name} ${sources})
   slackwater_doors(${name})
