@@ -3,7 +3,7 @@
 #
 # Those of `soak_suites` take a minute or more and prove what seldom changes: `make soak` runs them,
 # `make test` does not.
-set(soak_suites AdcpNorthSea FusionTwin JumpingClock PublishedProfiles)
+set(soak_suites AdcpNorthSea AdcpWashington FusionTwin JumpingClock PublishedProfiles RealPairs)
 # slackwater_suites(<program> <label>)
 function(slackwater_suites program label)
   if(NOT EXISTS ${program})
