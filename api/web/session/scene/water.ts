@@ -93,10 +93,16 @@ function mesh(): BufferGeometry {
   return made;
 }
 
+/** Four numbers of each wave; of a calm sea those of none. */
+function texture_of(texels: Float32Array<ArrayBuffer>): DataTexture {
+  return new DataTexture(texels, texels.length / 4, 1, RGBAFormat, FloatType);
+}
+
 export class Water {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   private sea: Sea | null = null;
   private texels = new Float32Array(4);
+  private texture = texture_of(this.texels);
 
   constructor() {
     const uniforms = UniformsUtils.merge([
@@ -104,7 +110,7 @@ export class Water {
       { many: { value: 0 }, factor: { value: 1 }, deep: { value: null }, sky: { value: null } },
     ]);
     const material = new ShaderMaterial({
-      uniforms: { ...uniforms, waves: { value: null } },
+      uniforms: { ...uniforms, waves: { value: this.texture } },
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
       side: DoubleSide,
@@ -123,15 +129,15 @@ export class Water {
     if (sea !== this.sea) {
       this.sea = sea;
       this.texels = new Float32Array(4 * Math.max(1, many));
-      const waves = new DataTexture(this.texels, Math.max(1, many), 1, RGBAFormat, FloatType);
-      uniforms.waves?.value?.dispose();
-      Object.assign(uniforms, { waves: { value: waves } });
+      this.texture.dispose();
+      this.texture = texture_of(this.texels);
+      uniforms.waves!.value = this.texture;
     }
     sea?.waves.forEach((wave, nth) => {
       const phase = phase_of(wave, about.x, about.y, time_s);
       this.texels.set([wave.amplitude_m, wave.east_rad_m, wave.north_rad_m, phase], 4 * nth);
     });
-    uniforms.waves!.value.needsUpdate = true;
+    this.texture.needsUpdate = true;
     uniforms.many!.value = many;
     uniforms.factor!.value = factor;
     this.mesh.position.set(about.x, 0, -about.y);
