@@ -38,8 +38,8 @@ struct Fitted {
 
 class Network : public Detector {
  public:
-  Network(NetworkFile model, cv::dnn::Net net, std::string name)
-      : model_(std::move(model)), net_(std::move(net)), name_(std::move(name)) {
+  Network(NetworkFile model, const cv::dnn::Net& net, std::string name)
+      : model_(std::move(model)), net_(net), name_(std::move(name)) {
     net_.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
     net_.setPreferableTarget(cv::dnn::DNN_TARGET_CPU);
     for (const HeadGrid& grid : model_.grids) outputs_.push_back(grid.output);
@@ -63,7 +63,8 @@ class Network : public Detector {
   /// @throws Error(invalid_input) where it does not say what its file says that it must
   void prove() {
     twin::Picture picture{model_.proof.wide, model_.proof.high, {}};
-    picture.rgb.resize(static_cast<std::size_t>(3 * picture.wide * picture.high));
+    picture.rgb.resize(3 * static_cast<std::size_t>(picture.wide) *
+                       static_cast<std::size_t>(picture.high));
     for (std::size_t k = 0; k < picture.rgb.size(); ++k)
       picture.rgb[k] =
           static_cast<std::uint8_t>((2654435761U * (static_cast<std::uint32_t>(k) + 1U) +
@@ -144,8 +145,9 @@ class Network : public Detector {
         const std::uint8_t* from = small.ptr<std::uint8_t>(row) + plane;
         float* to = blob.ptr<float>(0, plane) + static_cast<std::ptrdiff_t>(row) * wide;
         for (int column = 0; column < small.cols; ++column)
-          to[column] = static_cast<float>((from[3 * column] / 255.0 - model_.input.mean[c]) /
-                                          model_.input.sd[c]);
+          to[column] =
+              static_cast<float>((from[std::ptrdiff_t{3} * column] / 255.0 - model_.input.mean[c]) /
+                                 model_.input.sd[c]);
       }
     }
     return {blob, scale};
@@ -228,6 +230,7 @@ class Network : public Detector {
 
   static std::string shape_of(const cv::Mat& head) {
     std::vector<std::string> sides;
+    sides.reserve(static_cast<std::size_t>(head.dims));
     for (int i = 0; i < head.dims; ++i) sides.push_back(std::to_string(head.size[i]));
     return joined(sides, " x ");
   }
