@@ -69,7 +69,7 @@ if(NOT result EQUAL 0)
 endif()
 execute_process(
   COMMAND ${tools}/esbuild page=page/main.ts page=page/page.css --bundle --format=iife
-          --target=es2022 --minify --charset=utf8 --legal-comments=none --log-level=warning
+          --target=es2022 --minify --charset=utf8 --legal-comments=eof --log-level=warning
           --outdir=.
   WORKING_DIRECTORY ${ASSETS} RESULT_VARIABLE result ERROR_VARIABLE reason)
 if(NOT result EQUAL 0)

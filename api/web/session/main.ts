@@ -3,7 +3,7 @@ import { Driver, TICK_MS } from './drive/driver';
 import { PadReader } from './drive/gamepad';
 import { Keys, leaves_keys_alone, listen_to_keys } from './drive/keys';
 import { Stick } from './drive/stick';
-import { button, by_id, set_hidden } from '../look/element';
+import { button, by_id, element, set_hidden } from '../look/element';
 import { notice } from './look/notice';
 import { use_palette } from './look/palette';
 import { load_settings } from './look/settings';
@@ -150,9 +150,9 @@ const follow = button(
   },
   { 'aria-pressed': 'true' },
 );
-const scene = scene_panel(() => (canvases_are_old = true));
-by_id('plan-tools').append(
-  scene.opener,
+const plan_buttons = element(
+  'div',
+  { class: 'buttons' },
   follow,
   button(
     'All',
@@ -180,6 +180,11 @@ by_id('plan-tools').append(
     { 'aria-label': 'Farther' },
   ),
 );
+const scene = scene_panel(() => {
+  set_hidden(plan_buttons, scene.is_open()); // the scene has its own
+  canvases_are_old = true;
+});
+by_id('plan-tools').append(scene.opener, plan_buttons);
 let along: Along = 'time';
 const by_distance = button(
   'Over distance',

@@ -13,6 +13,8 @@ export interface Colours {
   amber: string;
   water: string;
   bed: string;
+  sky: string;
+  deep: string;
 }
 
 let now: Colours | null = null;
@@ -37,6 +39,8 @@ export function colours(): Colours {
       amber: named('amber'),
       water: named('water'),
       bed: named('bed'),
+      sky: named('sky'),
+      deep: named('deep'),
     };
   }
   return now;

@@ -54,7 +54,7 @@ export function scene_panel(on_change: () => void): ScenePanel {
       if (view === null) return;
       view.is_clear = !view.is_clear;
       clear.setAttribute('aria-pressed', String(view.is_clear));
-      set_text(note, view.is_clear ? 'Shown clearer than it is: nobody sees so far there.' : '');
+      set_text(note, view.is_clear ? 'Water is shown clearer than it is.' : '');
       set_hidden(note, !view.is_clear);
       on_change();
     },

@@ -1,5 +1,5 @@
 // The scene: the sea, the vehicles in it, and what stands and passes by, at the moment of the last
-// frame. Nothing in it is guessed: what was not told is not there.
+// frame. What was not told is not there; what is told without a shape has a plain one.
 import {
   AmbientLight,
   ArrowHelper,
@@ -28,7 +28,7 @@ import type { Tracks } from '../view/tracks';
 import { fading_per_m, set_fog } from './air_and_water';
 import { at_place, turned } from './axes';
 import { Eye } from './eye';
-import { Labels } from './labels';
+import { Labels, names_in } from './labels';
 import { camera_edges, home_mark, ring } from './marks';
 import { structure_shape, vehicle_shape, vessel_shape } from './shapes';
 import { Water } from './water';
@@ -42,8 +42,6 @@ export interface Shown {
 type PlainLine = Line<BufferGeometry, LineBasicMaterial>;
 
 const CURRENT_ARROW_M_PER_M_S = 4;
-const SKY = { day: '#b9cfdd', dusk: '#2a3947', night: '#160606' };
-const DEEP = { day: '#17586a', dusk: '#0d333f', night: '#2a0c08' };
 
 /** Things by a key: made when they come, taken away when they are gone. */
 class Kept<T extends Object3D> {
@@ -76,7 +74,7 @@ class Kept<T extends Object3D> {
 
 export class SceneView {
   readonly eye = new Eye();
-  /** As far as one likes, which is farther than anybody sees there. */
+  /** Under water as far as one likes, which is farther than anybody sees there. */
   is_clear = false;
   private readonly scene = new Scene();
   private readonly fog = new FogExp2('#000000', 0);
@@ -123,7 +121,7 @@ export class SceneView {
     this.place_things(session, tracks, chosen);
     this.place_water(session);
     this.renderer.render(this.scene, this.eye.camera);
-    this.labels.show(session, chosen, this.eye.camera, wide, high);
+    this.labels.show(names_in(session, chosen), this.eye.camera, wide, high);
   }
 
   private place_things(session: Session, tracks: Tracks, chosen: number | null): void {
@@ -154,7 +152,7 @@ export class SceneView {
     }
     for (const vessel of session.vessels) {
       const shape = this.kept.of(`vessel ${vessel.mmsi}`, () => vessel_shape(vessel));
-      shape.position.copy(at_place({ ...vessel, up_m: 0 }));
+      shape.position.copy(at_place({ ...vessel, up_m: 0 })); // how it heaves nobody tells
       shape.rotation.y = -((vessel.course_deg ?? 0) * Math.PI) / 180;
     }
     this.kept.drop_the_rest();
@@ -203,18 +201,16 @@ export class SceneView {
     this.water.show(session.sea, factor, time_s, about);
     const surface_m = elevation_m(session.sea, factor, about.x, about.y, time_s);
     const is_under_water = at.y < surface_m;
-    const palette = (document.documentElement.dataset.palette ?? 'day') as keyof typeof SKY;
-    const seen = is_under_water ? DEEP[palette] : SKY[palette];
+    const { sky, deep, bed } = colours();
+    const seen = is_under_water ? deep : sky;
     const per_m = fading_per_m(session.weather, is_under_water);
-    set_fog(this.fog, this.is_clear ? 0 : per_m, seen);
+    set_fog(this.fog, is_under_water && this.is_clear ? 0 : per_m, seen);
     this.scene.background = new Color(seen);
-    const { uniforms } = this.water.mesh.material;
-    uniforms.deep!.value = new Color(DEEP[palette]);
-    uniforms.sky!.value = new Color(SKY[palette]);
+    this.water.paint(deep, sky);
     const bed_m = bed_of(session);
     this.bed.visible = bed_m !== null;
     this.bed.position.set(at.x, bed_m ?? 0, at.z);
-    this.bed.material.color.set(colours().bed);
+    this.bed.material.color.set(bed);
   }
 }
 

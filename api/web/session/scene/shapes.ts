@@ -86,8 +86,10 @@ export function structure_shape(structure: Structure): Mesh {
   return made;
 }
 
+const UNKNOWN_LENGTH_M = 30;
+
 export function vessel_shape(vessel: Vessel): Group {
-  const long = vessel.length_m ?? 30;
+  const long = vessel.length_m ?? UNKNOWN_LENGTH_M;
   const made = hull_of(long, long / 6, SHIP);
   made.name = vessel.name;
   return made;

@@ -4,6 +4,7 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  Color,
   DataTexture,
   DoubleSide,
   FloatType,
@@ -120,6 +121,12 @@ export class Water {
     this.mesh = new Mesh(mesh(), material);
     this.mesh.frustumCulled = false;
     this.mesh.name = 'sea';
+  }
+
+  paint(deep: string, sky: string): void {
+    const { uniforms } = this.mesh.material;
+    uniforms.deep!.value = new Color(deep);
+    uniforms.sky!.value = new Color(sky);
   }
 
   /** The surface about a place, at a time of the run. */

@@ -6,9 +6,11 @@ import { Vector3 } from 'three';
 import { at_place, turned } from 'page/scene/axes';
 import { fading_per_m } from 'page/scene/air_and_water';
 import { Eye } from 'page/scene/eye';
+import { names_in } from 'page/scene/labels';
 import { camera_edges, ring } from 'page/scene/marks';
 import { vehicle_shape } from 'page/scene/shapes';
 import { read_vehicle } from 'page/session/message';
+import { empty_session } from 'page/session/state';
 import { pose_with as pose } from './pose_for_tests';
 
 const near = (found: Vector3, expected: readonly number[], within = 1e-9): void => {
@@ -111,6 +113,23 @@ test('as far as somebody says, else as far as the renders take', () => {
   const weather = { visibility_m: 1000, water_visibility_m: 2 } as never;
   assert.equal(fading_per_m(weather, true), 2.4);
   assert.equal(fading_per_m(weather, false), 0.003);
+});
+
+test('vehicles and vessels have names, and who comes near says so', () => {
+  const session = empty_session();
+  const rov = read_vehicle({ vehicle: 1, name: 'rov', kind: 'rov', length_m: 1, width_m: 1 });
+  assert.ok(rov !== null);
+  session.vehicles.set(1, rov);
+  session.poses.set(1, pose({ vehicle: 1, up_m: -7 }));
+  const at = { east_m: 9, north_m: 8, course_deg: 0, speed_m_s: 4, length_m: null };
+  session.vessels = [
+    { mmsi: '1', name: 'COASTER', ...at },
+    { mmsi: '2', name: 'TUG', ...at },
+  ];
+  const alarm = { vehicle: 1, with: 'TUG', level: 'close', cpa_m: 20, cpa_s: 60 };
+  session.alarms.set('1 TUG', alarm);
+  const said = names_in(session, 1).map((it) => `${it.text} ${it.tone}`);
+  assert.deepEqual(said, ['rov 7.0 m deep chosen', 'COASTER ', 'TUG: close alarm']);
 });
 
 test('every kind has a shape of its size', () => {
