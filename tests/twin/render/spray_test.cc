@@ -141,7 +141,9 @@ TEST(Spray, HidesAsMuchAsItsDropsAreInTheWay) {
       left += static_cast<double>(light[green]) / (pictures * wide * high);
   }
   const double depth = spray.per_m3 * constants::pi * 1e-6 * 2;
-  EXPECT_NEAR(std::log(left) / -depth, 1, 0.05);
+  // 320 000 drops are within 0.3 % of their mean; those that look in from outside the picture, some
+  // 0.5 % of what is covered, are not drawn.
+  EXPECT_NEAR(std::log(left) / -depth, 1, 0.02);
 }
 
 }  // namespace
