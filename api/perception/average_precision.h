@@ -41,7 +41,7 @@ struct KindScore {
   std::size_t labels = 0;                        ///< crowds not counted
   std::size_t found = 0;                         ///< right or wrong
   std::optional<ShareWithin> average_precision;  ///< nothing without labels
-  std::optional<double> recall;                  ///< of all finds together
+  std::optional<double> recall;                  ///< of all that it tells together
   std::optional<double> precision;               ///< nothing without finds
   /// Of pictures without a label of any kind: finds of this kind for each 100 of them.
   std::optional<double> false_alarms_per_100;

@@ -5,7 +5,7 @@
 
 FOLDER holds pictures and their labels as COCO has them. Beside OUT.yaml come OUT.onnx (raw heads, opset 11) and a model card of
 the same name. Wants Debian's python3-torch and python3-pil; no GPU. The same seed, steps, threads and pictures give the same
-weights; with --seconds the steps depend on the machine, and the card says how many.
+weights on the same processor; with --seconds the steps depend on it, and the card says how many.
 """
 
 import argparse
