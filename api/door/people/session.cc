@@ -17,6 +17,7 @@ using nlohmann::json;
 
 constexpr std::string_view bearer = "bearer.";
 constexpr Milliseconds stick_pause_ms = 1'000;
+constexpr Milliseconds lines_every_ms = 200;
 /// A station that holds a helm and says nothing for so long is taken to be lost: pages say
 /// something each two seconds.
 constexpr Milliseconds unheard_ms = 5'000;
@@ -78,6 +79,7 @@ void Session::begin(const api::RunInHand& hand) {
         {"start", format_utc(hand.start)},
         {"origin", {{"lat", hand.origin.latitude_deg()}, {"lon", hand.origin.longitude_deg()}}},
         {"structures", structures},
+        {"turbines", turbines_json(hand.environment->turbines)},
         {"sea", sea_json(hand.environment->sea.get())}};
   }
   hand.run.at_barrier(
@@ -196,6 +198,7 @@ void Session::cut_off(Station& station) {
   const unsigned number = std::exchange(station.seat, 0U);
   if (seats_.find(number) == nullptr) return;
   seats_.cut_off(number, clock());
+  gathering_.gone(number);
   if (desk_) desk_->helms().lose(*seats_.find(number), clock(), seats_.find(number)->kept_until);
   Said said;
   said.after = "cut off";
@@ -209,6 +212,8 @@ void Session::heard(Station& station, const StationSays& says) {
     return turn_out(station, CloseCode::malformed, "found " + what + ", expected hello first");
   seats_.confirm(station.seat);
   if (keeps_in_touch(station, says, clock())) return;
+  if (what == "look") return gathering_.look(*seats_.find(station.seat), says);
+  if (Gathering::knows(what)) return gather(station, says);
   if (what == "say") {
     if (!station.deeds.take(clock())) return turn_out(station, CloseCode::too_many, many_deeds);
     const Seat& seat = *seats_.find(station.seat);
@@ -262,6 +267,19 @@ void Session::hello(Station& station, const StationSays& says) {
   tell_helms();
 }
 
+void Session::gather(Station& station, const StationSays& says) {
+  if (!station.deeds.take(clock())) return turn_out(station, CloseCode::too_many, many_deeds);
+  const Seat seat = *seats_.find(station.seat);
+  const Said said = gathering_.handle(seat, says, now_);
+  gathering_.mind(now_);
+  record(seat, says.what(), said);
+  if (said.refused)
+    return tell(station,
+                refused_json(says, twin::name_of(said.refused->reason), said.refused->text));
+  tell(station, {{"is", "answer"}, {"id", says.id()}, {"taken", true}});
+  tell_gathering();
+}
+
 void Session::desk_work(Station& station, const StationSays& says) {
   const Seat seat = *seats_.find(station.seat);
   const bool is_stick = says.what() == "stick" || says.what() == "thrusters";
@@ -311,6 +329,7 @@ void Session::drop_seat(unsigned number, const std::string& why) {
   Said said;
   said.after = why;
   record(seat, "leave", said);
+  gathering_.gone(number);
   seats_.leave(number);
   if (desk_) desk_->mind_run(seats_.has(Role::supervises));
   tell_seats();
@@ -342,6 +361,7 @@ bool Session::tick() {
     const std::lock_guard look(look_mutex_);
     if (left_) {
       now_ = *std::exchange(left_, std::nullopt);
+      gathering_.mind(now_);
       barrier_after_ = now - std::exchange(barrier_at_, now);
     }
   }
@@ -380,6 +400,11 @@ bool Session::tick() {
   tell_seats();
   tell_helms();
   tell_status(is_second);
+  if (now >= lines_at_ + lines_every_ms) {
+    lines_at_ = now;
+    tell_lines();
+    tell_gathering();
+  }
   tell_run();
   if (is_second) tell_around();
   std::vector<Pose> poses;

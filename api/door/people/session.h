@@ -10,6 +10,7 @@
 
 #include "api/door/http/websocket.h"
 #include "api/door/people/farm_output.h"
+#include "api/door/people/gathering.h"
 #include "api/door/people/pictures_now.h"
 #include "api/door/people/run_desk.h"
 #include "api/door/people/station.h"
@@ -82,6 +83,7 @@ class Session final : public api::http::WebSocketHandler {
   void hello(Station& station, const StationSays& says);
   void welcome(Station& station, const Seats::Taken& taken);
   void heard(Station& station, const StationSays& says);
+  void gather(Station& station, const StationSays& says);
   void desk_work(Station& station, const StationSays& says);
   void note_stick(Station& station, const StationSays& says, const Said& said);
   void end_stick(Station& station);
@@ -93,6 +95,8 @@ class Session final : public api::http::WebSocketHandler {
   void tell_status(bool is_second);
   void tell_run();
   void tell_around();
+  void tell_lines();
+  void tell_gathering();
   [[nodiscard]] nlohmann::json pictures_json() const;
   void mind_farm();
   [[nodiscard]] nlohmann::json weather_now() const;
@@ -112,14 +116,16 @@ class Session final : public api::http::WebSocketHandler {
   RunNow now_;
   nlohmann::json run_facts_;  ///< that never change: of the welcome
   std::vector<ShownHelm> helms_told_;
-  std::vector<nlohmann::json> status_told_;
+  std::vector<nlohmann::json> status_told_, lines_told_;
   nlohmann::json seats_told_, run_told_, weather_told_, traffic_told_;
+  Gathering gathering_;
+  nlohmann::json looks_told_ = nlohmann::json::array(), notes_told_ = nlohmann::json::array();
   std::shared_ptr<FarmOutput> farm_;  ///< null: the site has no turbines
   std::optional<FarmNow> farm_now_;
   PicturesNow pictures_;
   bool is_over_ = false;
   Milliseconds barrier_at_ = 0, barrier_after_ = 0;  ///< the last one, and how long after another
-  Milliseconds second_at_ = 0;
+  Milliseconds second_at_ = 0, lines_at_ = 0;
 
   std::mutex look_mutex_;  ///< of what the run leaves
   std::optional<RunNow> left_;

@@ -88,6 +88,12 @@ void Session::welcome(Station& station, const Seats::Taken& taken) {
   welcome["seats"] = seats;
   welcome["actions"] = rows;
   welcome["run"] = run_json();
+  welcome["looks"] = gathering_.looks_json();
+  welcome["notes"] = gathering_.notes_json();
+  welcome["lines"] = json::array();
+  for (std::size_t i = 0; i < now_.vehicles.size(); ++i)
+    if (!now_.vehicles[i].line_m.empty())
+      welcome["lines"].push_back(line_json(i, now_.vehicles[i]));
   welcome["weather"] = weather_now();
   welcome["pictures"] = pictures_json();
   welcome["traffic"] = now_.around ? traffic_json(*now_.around) : json(nullptr);
@@ -124,6 +130,27 @@ void Session::tell_status(bool is_second) {
     if (status == status_told_[i]) continue;
     status_told_[i] = status;
     tell_all(status);
+  }
+}
+
+void Session::tell_lines() {
+  lines_told_.resize(now_.vehicles.size());
+  for (std::size_t i = 0; i < now_.vehicles.size(); ++i) {
+    json line = line_json(i, now_.vehicles[i]);
+    if (line == lines_told_[i] || (lines_told_[i].is_null() && line["nodes"].empty())) continue;
+    lines_told_[i] = line;
+    tell_all(line);
+  }
+}
+
+void Session::tell_gathering() {
+  if (json looks = gathering_.looks_json(); looks != looks_told_) {
+    tell_all({{"is", "looks"}, {"looks", looks}});
+    looks_told_ = std::move(looks);
+  }
+  if (json notes = gathering_.notes_json(); notes != notes_told_) {
+    tell_all({{"is", "notes"}, {"notes", notes}});
+    notes_told_ = std::move(notes);
   }
 }
 

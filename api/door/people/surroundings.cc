@@ -11,6 +11,21 @@ namespace {
 
 constexpr std::size_t most_vessels = 30;  ///< that are shown
 constexpr double anemometer_m = 10;
+constexpr std::size_t current_layers = 16;
+constexpr double layers_to_m = 80;  ///< where nobody knows the bed
+
+/// From the surface down to the bed, as far as the field goes.
+std::vector<CurrentAtDepth> currents_of(const twin::EnvironmentSampler& water, double t_s) {
+  const BedSample bed = water.bed({});
+  const double to_m = bed.status == SampleStatus::ok ? bed.water_depth_m : layers_to_m;
+  std::vector<CurrentAtDepth> currents;
+  for (std::size_t i = 0; i <= current_layers; ++i) {
+    const double depth_m = to_m * static_cast<double>(i) / current_layers;
+    const CurrentSample current = water.forecast_current({0, 0, depth_m}, t_s);
+    if (has_value(current.status)) currents.push_back({depth_m, current.velocity_m_s});
+  }
+  return currents;
+}
 
 void look_at_weather(const twin::EnvironmentSampler& water, double t_s, Surroundings& around) {
   const twin::Environment& environment = water.environment();
@@ -25,6 +40,7 @@ void look_at_weather(const twin::EnvironmentSampler& water, double t_s, Surround
   if (const SeaRealisation* waves = water.waves()) around.waves_factor = waves->course().at(t_s);
   if (const CurrentSample current = water.forecast_current({}, t_s); has_value(current.status))
     around.current_m_s = current.velocity_m_s;
+  around.currents = currents_of(water, t_s);
   around.visibility_m = water.visibility_m();
   around.water_visibility_m = water.water_visibility_m();
   const twin::WeatherNow* led = environment.weather ? environment.weather->now() : nullptr;

@@ -18,12 +18,19 @@ struct VesselNow {
   std::optional<double> length_m;
 };
 
+/// The forecast's current at a depth, led.
+struct CurrentAtDepth {
+  double depth_m = 0;
+  Horizontal towards_m_s;
+};
+
 /// The weather at the origin of the run, as its vehicles have it, and who passes by.
 struct Surroundings {
   std::optional<Horizontal> wind_10m_m_s, hub_wind_m_s;  ///< towards, free; absent: nobody knows
   std::optional<SeaState> sea;
   double waves_factor = 1;  ///< on the heights of the run's waves now (height_course.h)
   std::optional<Horizontal> current_m_s;                   ///< towards, at the surface
+  std::vector<CurrentAtDepth> currents;                    ///< from the surface to the bed
   std::optional<double> visibility_m, water_visibility_m;  ///< where somebody says so
   twin::WeatherAsked asked;                                ///< what is led
   double settled_s = 0;                                    ///< of the run: when it is as asked

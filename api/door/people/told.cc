@@ -103,6 +103,23 @@ json sea_json(const SeaRealisation* sea) {
   return {{"depth_m", sea->water().depth_m}, {"waves", waves}};
 }
 
+json turbines_json(const std::optional<twin::StandingTurbines>& turbines) {
+  if (!turbines) return nullptr;
+  json places = json::array();
+  for (const Horizontal at_m : turbines->at_m) places.push_back({at_m.real(), at_m.imag()});
+  return {{"hub_height_m", turbines->kind->hub_height_m},
+          {"rotor_diameter_m", turbines->kind->rotor_diameter_m},
+          {"rated_w", turbines->kind->rated_power_w},
+          {"places", places}};
+}
+
+json line_json(std::size_t vehicle, const VehicleNow& now) {
+  json nodes = json::array();
+  for (const twin::Triple<double>& at_m : now.line_m)
+    nodes.push_back({rounded(at_m.y, 0.01), rounded(at_m.x, 0.01), rounded(-at_m.z, 0.01)});
+  return {{"is", "line"}, {"vehicle", vehicle}, {"nodes", nodes}};
+}
+
 json traffic_json(const Surroundings& around) {
   json vessels = json::array();
   for (const VesselNow& vessel : around.vessels) {
@@ -118,6 +135,22 @@ json traffic_json(const Surroundings& around) {
          {"length_m", or_null(vessel.length_m)}});
   }
   return {{"is", "traffic"}, {"vessels", vessels}, {"left_out", around.vessels_left_out}};
+}
+
+json farm_json(const FarmNow& farm) {
+  json each = json::array();
+  for (const TurbineNow& turbine : farm.turbines) {
+    json wind_left = json::array();
+    for (const double share : turbine.wind_left) wind_left.push_back(rounded(share, 1e-3));
+    each.push_back({{"power_w", rounded(turbine.power_w, 1e4)},
+                    {"wind_m_s", rounded(turbine.wind_m_s, 0.01)},
+                    {"turns_rad_s", rounded(turbine.turns_rad_s, 1e-3)},
+                    {"wind_left", wind_left}});
+  }
+  return {{"power_w", rounded(farm.power_w, 1e4)},
+          {"rated_w", farm.rated_w},
+          {"turbines", farm.turbines.size()},
+          {"each", each}};
 }
 
 json weather_json(const Surroundings& around, double time_s, const std::optional<FarmNow>& farm,
@@ -149,11 +182,11 @@ json weather_json(const Surroundings& around, double time_s, const std::optional
   told["led"] = led;
   told["led_by"] = led.empty() || led_by.empty() ? json(nullptr) : json(led_by);
   told["settles_in_s"] = std::max(0.0, std::ceil(around.settled_s - time_s));
-  told["farm"] = nullptr;
-  if (farm)
-    told["farm"] = {{"power_w", rounded(farm->power_w, 1e4)},
-                    {"rated_w", farm->rated_w},
-                    {"turbines", farm->turbines}};
+  told["currents"] = json::array();
+  for (const CurrentAtDepth& at : around.currents)
+    told["currents"].push_back({rounded(-at.depth_m, 0.01), rounded(at.towards_m_s.real(), 1e-3),
+                                rounded(at.towards_m_s.imag(), 1e-3)});
+  told["farm"] = farm ? farm_json(*farm) : json(nullptr);
   return told;
 }
 
@@ -179,12 +212,14 @@ json status_json(std::size_t vehicle, const VehicleNow& now) {
   for (const twin::Waypoint& waypoint : now.waypoints)
     waypoints.push_back(place_json(waypoint.position_m));
   json alarms = json::array();
-  for (const auto& [alarm, name] : now.alarms)
-    alarms.push_back({{"mmsi", alarm.id},
-                      {"name", name},
-                      {"is_lost", alarm.status == twin::AlarmStatus::lost},
-                      {"cpa_m", rounded(alarm.approach.distance_m, 1)},
-                      {"cpa_s", rounded(alarm.approach.time_s, 1)}});
+  for (const auto& [alarm, name, acknowledged_by] : now.alarms)
+    alarms.push_back(
+        {{"mmsi", alarm.id},
+         {"name", name},
+         {"is_lost", alarm.status == twin::AlarmStatus::lost},
+         {"cpa_m", rounded(alarm.approach.distance_m, 1)},
+         {"cpa_s", rounded(alarm.approach.time_s, 1)},
+         {"acknowledged_by", acknowledged_by.empty() ? json(nullptr) : json(acknowledged_by)}});
   const json camera{{"pan_deg", degrees(now.camera.pan_rad)},
                     {"tilt_deg", degrees(now.camera.tilt_rad)},
                     {"zoom", rounded(now.camera.zoom, 0.01)}};

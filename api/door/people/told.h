@@ -20,7 +20,12 @@ using api::action_json;
 /// The waves of a run: [a m, k east, k north rad/m, omega rad/s, phase rad] each, so that a station
 /// has the surface as the vehicles do. Null: a calm sea.
 [[nodiscard]] nlohmann::json sea_json(const SeaRealisation* sea);
+/// Where the turbines of a site stand. Null: it has none.
+[[nodiscard]] nlohmann::json turbines_json(const std::optional<twin::StandingTurbines>& turbines);
+/// A tether as it hangs: [east, north, up m] each node.
+[[nodiscard]] nlohmann::json line_json(std::size_t vehicle, const VehicleNow& now);
 [[nodiscard]] nlohmann::json traffic_json(const Surroundings& around);
+[[nodiscard]] nlohmann::json farm_json(const FarmNow& farm);
 /// @param led_by  who leads it; empty: nobody
 [[nodiscard]] nlohmann::json weather_json(const Surroundings& around, double time_s,
                                           const std::optional<FarmNow>& farm,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "twin/agent/conduct.h"
+#include "twin/agent/hung_line.h"
 #include "twin/body/attitude.h"
 
 namespace slackwater::people {
@@ -118,9 +119,13 @@ RunNow RunLook::look() {
     vehicle.camera = state.helm.camera;
     if (agent.conduct && agent.conduct->plan.mammals)
       vehicle.zone = {state.conduct.mammals.noise_m, agent.conduct->plan.mammals->noise.radius_m};
+    if (twin::has_line_out(agent, state)) {
+      const auto line = twin::hung_line(agent, state);
+      vehicle.line_m.assign(line.begin(), line.end());
+    }
     if (i >= alarms.size()) continue;
     for (const twin::Alarm& alarm : alarms[i])
-      vehicle.alarms.push_back({alarm, twin::name_of_vessel(hand_.vessels, alarm.id)});
+      vehicle.alarms.push_back({alarm, twin::name_of_vessel(hand_.vessels, alarm.id), {}});
   }
   return now;
 }

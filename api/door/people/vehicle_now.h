@@ -16,7 +16,8 @@ namespace slackwater::people {
 /// A vessel that comes too near.
 struct AlarmNow {
   twin::Alarm alarm;
-  std::string name;  ///< of the vessel; may be empty
+  std::string name;             ///< of the vessel; may be empty
+  std::string acknowledged_by;  ///< empty: nobody has seen to it
 };
 
 /// A circle about the place of noisy work.
@@ -40,6 +41,8 @@ struct VehicleNow {
   std::vector<AlarmNow> alarms;
   twin::CameraPointing camera;
   std::optional<ZoneNow> zone;  ///< that it watches for animals
+  /// Its tether from the top to the vehicle, NED; empty: it has none, or it has parted.
+  std::vector<twin::Triple<double>> line_m;
 };
 
 /// All vehicles at a barrier.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <mutex>
 
 #include "api/door/people/farm_output.h"
 #include "api/door/people/playback/logged_run.h"
@@ -15,6 +16,7 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/twin/run/run_for_tests.h"
+#include "twin/agent/hung_line.h"
 
 namespace slackwater::tests::weather_and_camera_test {
 namespace {
@@ -144,6 +146,27 @@ TEST_F(LedSession, EverybodyHasTheSeaThatTheVehiclesAreIn) {
   expect_the_same(*environment->weather->now()->sea, led, 1800, 0.001);
 }
 
+// From the surface to the bed, as the vehicles have it, before and after somebody led it.
+TEST_F(LedSession, EverybodyHasTheCurrentAtEachDepth) {
+  const auto expect_all = [](const json& weather, double east_m_s) {
+    const json currents = weather.at("currents");
+    ASSERT_EQ(currents.size(), 17U);
+    EXPECT_EQ(currents.front()[0], 0);
+    EXPECT_EQ(currents.back()[0], -40);
+    for (const json& at : currents) {
+      EXPECT_NEAR(at[1].get<double>(), east_m_s, 0.001);
+      EXPECT_NEAR(at[2].get<double>(), 0, 0.001);
+    }
+  };
+  expect_all(guests.at("weather"), 0.1);
+  expect_taken(sue.asks(
+      {{"do", "weather"}, {"current", {{"speed_m_s", 0.4}, {"to_deg", 90}}}, {"over_s", 1}}));
+  const json led = guest.told(
+      "weather", [](const json& is) { return is["settles_in_s"] == 0 && !is["led"].empty(); });
+  ASSERT_FALSE(led.is_null());
+  EXPECT_NEAR(led.at("currents").front()[1].get<double>(), 0.4, 0.001);
+}
+
 TEST_F(LedSession, WhatNoWeatherIsIsRefusedWithWhatWouldDo) {
   expect_refused(sue.asks({{"do", "weather"}, {"waves_m", 7}}), "out_of_range", "break");
   expect_refused(sue.asks({{"do", "weather"}, {"wind", {{"speed_m_s", 99}, {"from_deg", 0}}}}),
@@ -251,6 +274,55 @@ TEST_F(LedSession, ARunThatWasLedIsMadeAgainToTheLastBit) {
   }
 }
 
+// A tether is shown as the run has it: each line that is told is that of a barrier, to the
+// centimetre that is told.
+TEST(TetherOfASession, IsThatOfTheTwin) {
+  std::mutex mutex;
+  std::vector<std::array<twin::Triple<double>, twin::tether_nodes>> hung;
+  SessionUnderWay::Choice choice;
+  choice.real_time_factor = 4;
+  choice.also = [&](const api::RunInHand& hand) {
+    hand.run.at_barrier([&mutex, &hung, &run = hand.run](const twin::StepTime&) {
+      const std::lock_guard lock(mutex);
+      hung.push_back(twin::hung_line(run.agents()[0], run.states()[0]));
+    });
+  };
+  SessionUnderWay run(R"(name: on a tether
+seed: 7
+duration: 30min
+step_s: 0.05
+log_every_s: 0.5
+water: {made_up: {depth_m: 40, current: [{depth_m: 0, east_m_s: 0.3, north_m_s: 0}],
+                  wind: {speed_m_s: 4, from_deg: 200}}}
+vehicles:
+  - {name: rov, model: bluerov2_heavy, start: {north_m: 5, east_m: 0, depth_m: 10},
+     tether: {top: {north_m: 0, east_m: 0, depth_m: 1}, length_m: 30}, tasks: [{do: hold}]}
+)",
+                      std::move(choice));
+  StationClient guest(run, run.token(Role::looks_on));
+  EXPECT_EQ(guest.hello("Gus").at("lines").size(), 1U);
+  const auto least_off_m = [&](const json& nodes) {
+    const std::lock_guard lock(mutex);
+    double least_m = INFINITY;
+    for (const auto& line : hung) {
+      double most_m = 0;
+      for (std::size_t i = 0; i < line.size(); ++i)
+        most_m =
+            std::max(most_m, length_of(line[i] - twin::Triple<double>{nodes[i][1], nodes[i][0],
+                                                                      -nodes[i][2].get<double>()}));
+      least_m = std::min(least_m, most_m);
+    }
+    return least_m;
+  };
+  for (int i = 0; i < 5; ++i) {
+    const json line = guest.told("line", [](const json& is) { return is["vehicle"] == 0; });
+    ASSERT_FALSE(line.is_null());
+    ASSERT_EQ(line["nodes"].size(), twin::tether_nodes);
+    EXPECT_EQ(line["nodes"][0], json({0, 0, -1})) << "its top";
+    EXPECT_LE(least_off_m(line["nodes"]), 0.0087) << "sqrt(3) half centimetres";
+  }
+}
+
 // At a site with turbines all see what they make, and that it follows the wind.
 TEST(FarmOutput, IsToldLiveAgainstTheWind) {
   const auto kind = std::make_shared<const Turbine>(
@@ -263,7 +335,9 @@ TEST(FarmOutput, IsToldLiveAgainstTheWind) {
   };
   SessionUnderWay run(fleet, std::move(choice));
   StationClient sue(run, run.token(Role::supervises));
-  (void)sue.hello("Sue");
+  const json turbines = sue.hello("Sue").at("turbines");
+  EXPECT_EQ(turbines["places"], json({{0, 2000}, {2000, 2000}}));
+  EXPECT_EQ(turbines["hub_height_m"], kind->hub_height_m);
   const auto told_at = [&](double wind_m_s) {
     return sue.told("weather", [&](const json& is) {
       return !is["farm"].is_null() && is["settles_in_s"] == 0 &&
@@ -273,6 +347,7 @@ TEST(FarmOutput, IsToldLiveAgainstTheWind) {
   const json before = told_at(4);
   ASSERT_FALSE(before.is_null());
   EXPECT_EQ(before["farm"]["turbines"], 2);
+  EXPECT_EQ(before["farm"]["each"].size(), 2U);
   EXPECT_EQ(before["farm"]["rated_w"], 2 * kind->rated_power_w);
   const auto asked = [](double speed_m_s) {
     return json{{"do", "weather"},
@@ -301,6 +376,19 @@ TEST(FarmOutput, IsThatOfTheCurvesLessTheWakes) {
   people::FarmOutput row({kind, {{0, 0}, {5 * kind->rotor_diameter_m, 0}}});
   const double along_w = row.at({9, 0}).power_w, across_w = row.at({0, 9}).power_w;
   EXPECT_NEAR(across_w, 2 * kind->power_w(9), 1e-6 * kind->rated_power_w);
+  // The one in the wake has the less, turns the slower, and the wind comes back behind it.
+  const people::TurbineNow first = row.at({9, 0}).turbines[0], second = row.at({9, 0}).turbines[1];
+  EXPECT_NEAR(first.wind_m_s, 9, 1e-9);
+  EXPECT_NEAR(second.wind_m_s, 9 * std::cbrt(second.power_w / first.power_w), 0.3);
+  EXPECT_NEAR(first.turns_rad_s, 8 * 9 / 63.0, 1e-9) << "a tip eight times as fast as the wind";
+  EXPECT_LT(second.turns_rad_s, first.turns_rad_s);
+  EXPECT_NEAR(first.power_w + second.power_w, along_w, 1e-6 * along_w);
+  for (const people::TurbineNow& turbine : {first, second}) {
+    EXPECT_LT(turbine.wind_left[0], turbine.wind_left[1]);
+    EXPECT_LT(turbine.wind_left[1], turbine.wind_left[2]);
+    EXPECT_LT(turbine.wind_left[2], 1);
+  }
+  EXPECT_EQ(alone.at({0, 0}).turbines[0].wind_left[0], 1);
   EXPECT_LT(along_w, 0.85 * across_w);
   EXPECT_GT(along_w, 0.5 * across_w);
 }
