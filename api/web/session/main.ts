@@ -180,7 +180,7 @@ const plan_buttons = element(
     { 'aria-label': 'Farther' },
   ),
 );
-const scene = scene_panel(() => {
+const scene = scene_panel(station, () => {
   set_hidden(plan_buttons, scene.is_open()); // the scene has its own
   canvases_are_old = true;
 });

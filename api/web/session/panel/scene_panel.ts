@@ -1,7 +1,13 @@
 // The scene in place of the plan: opened by who wants it, looked about in with pointer or keys.
 import { button, by_id, choice, element, set_hidden, set_text } from '../../look/element';
 import { SceneView, type Shown } from '../scene/scene_view';
+import { approaches_in } from '../scene/approach';
 import type { Stand } from '../scene/eye';
+import { scene_in_words } from '../scene/in_words';
+import { current_at, type Current } from '../session/currents';
+import type { Session } from '../session/state';
+import type { Station } from '../station';
+import { scene_people } from './scene_people';
 
 const TURN_RAD_PER_PX = 0.006;
 const TURN_BY_KEY_RAD = 0.12;
@@ -14,7 +20,57 @@ export interface ScenePanel {
   draw(shown: Shown): void;
 }
 
-export function scene_panel(on_change: () => void): ScenePanel {
+interface CurrentTools {
+  nodes: HTMLElement[];
+  show(currents: readonly Current[]): void;
+}
+
+/** A slice of the current: whether, and how deep. */
+function current_tools(on_change: (up_m: number | null) => void): CurrentTools {
+  let is_on = false;
+  const value = element('output', {});
+  const depth = element('input', {
+    type: 'range',
+    min: 0,
+    max: 40,
+    step: 0.5,
+    value: 5,
+    'aria-label': 'How deep the slice of the current is, in metres',
+    hidden: true,
+  });
+  const changed = (): void => on_change(is_on ? -depth.valueAsNumber : null);
+  depth.addEventListener('input', changed);
+  const toggle = button(
+    'Current',
+    () => {
+      is_on = !is_on;
+      toggle.setAttribute('aria-pressed', String(is_on));
+      changed();
+    },
+    { 'aria-pressed': 'false' },
+  );
+  return {
+    nodes: [toggle, depth, value],
+    show: (currents) => {
+      set_hidden(toggle, currents.length < 2);
+      set_hidden(depth, !is_on || currents.length < 2);
+      const deepest_m = Math.floor(-(currents.at(-1)?.up_m ?? -40));
+      if (depth.max !== String(deepest_m)) depth.max = String(deepest_m);
+      const at = current_at(currents, -depth.valueAsNumber);
+      const speed = at === null ? '' : `: ${Math.hypot(at.east_m_s, at.north_m_s).toFixed(2)} m/s`;
+      set_text(value, is_on ? `${depth.valueAsNumber} m deep${speed}` : '');
+    },
+  };
+}
+
+function show_words(list: HTMLElement, session: Session): void {
+  const lines = scene_in_words(session, approaches_in(session));
+  while (list.children.length > lines.length) list.lastChild?.remove();
+  while (list.children.length < lines.length) list.append(element('li', {}));
+  lines.forEach((line, nth) => set_text(list.children[nth] as HTMLElement, line));
+}
+
+export function scene_panel(station: Station, on_change: () => void): ScenePanel {
   const canvas = element('canvas', {
     id: 'scene-canvas',
     tabindex: 0,
@@ -60,8 +116,41 @@ export function scene_panel(on_change: () => void): ScenePanel {
     },
     { 'aria-pressed': 'false' },
   );
-  const tools = element('div', { class: 'tools scene-tools' }, stands.node, all, clear);
-  const box = element('div', { id: 'scene', hidden: true }, canvas, labels, note, tools);
+  const current = current_tools((up_m) => {
+    if (view === null) return;
+    view.slice_up_m = up_m;
+    on_change();
+  });
+  const wakes = button(
+    'Wakes',
+    () => {
+      if (view === null) return;
+      view.shows_wakes = !view.shows_wakes;
+      wakes.setAttribute('aria-pressed', String(view.shows_wakes));
+      on_change();
+    },
+    { 'aria-pressed': 'false' },
+  );
+  const people = scene_people(station);
+  const words = element('ul', {});
+  const in_words = element(
+    'details',
+    { class: 'scene-words' },
+    element('summary', {}, 'The scene in words'),
+    words,
+    people.notes,
+  );
+  const tools = element(
+    'div',
+    { class: 'tools scene-tools' },
+    stands.node,
+    all,
+    clear,
+    wakes,
+    ...current.nodes,
+    ...people.nodes,
+  );
+  const box = element('div', { id: 'scene', hidden: true }, canvas, labels, note, tools, in_words);
   by_id('plan').after(box);
 
   const open = (): void => {
@@ -93,15 +182,15 @@ export function scene_panel(on_change: () => void): ScenePanel {
     on_change();
   };
   canvas.addEventListener('pointerdown', (event) => {
+    const { left, top, width, height } = canvas.getBoundingClientRect();
+    const [right, down] = [(event.clientX - left) / width, (event.clientY - top) / height];
+    if (people.press(view?.place_under(right, down) ?? null)) return on_change();
     from = { x: event.clientX, y: event.clientY };
     canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener('pointermove', (event) => {
     if (from === null) return;
-    turn(
-      (event.clientX - from.x) * TURN_RAD_PER_PX,
-      (event.clientY - from.y) * TURN_RAD_PER_PX,
-    );
+    turn((event.clientX - from.x) * TURN_RAD_PER_PX, (event.clientY - from.y) * TURN_RAD_PER_PX);
     from = { x: event.clientX, y: event.clientY };
   });
   for (const end of ['pointerup', 'pointercancel'] as const)
@@ -139,7 +228,13 @@ export function scene_panel(on_change: () => void): ScenePanel {
     is_open: () => !box.hidden,
     draw: (now) => {
       shown = now;
-      if (!box.hidden) view?.draw(now);
+      if (box.hidden) return;
+      view?.draw(now);
+      set_hidden(wakes, now.session.turbines === null);
+      current.show(now.session.weather?.currents ?? []);
+      people.show();
+      if (view !== null) people.tell(view);
+      if (in_words.open) show_words(words, now.session);
     },
   };
 }

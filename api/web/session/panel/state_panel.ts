@@ -1,5 +1,5 @@
 // The chosen vehicle: what it does and why, how much is left, how near its limits it is.
-import { element, set_hidden, set_text } from '../../look/element';
+import { button, element, set_hidden, set_text } from '../../look/element';
 import { zone_of } from '../look/settings';
 import {
   degrees_text,
@@ -35,6 +35,36 @@ const LINES = [
 ] as const;
 type Line = (typeof LINES)[number];
 
+/** A button for each alarm of the vehicle that nobody has seen to. */
+function seen_to_buttons(station: Station): {
+  box: HTMLElement;
+  show(chosen: number | null): void;
+} {
+  const box = element('div', { class: 'buttons' });
+  let shown = '';
+  return {
+    box,
+    show: (chosen) => {
+      const { session } = station;
+      const may = session.role !== 'spectator' && session.playback === null;
+      const open = [...session.alarms.values()].filter(
+        (it) => may && it.vehicle === chosen && it.mmsi !== null && it.acknowledged_by === '',
+      );
+      const key = JSON.stringify(open.map((it) => [it.vehicle, it.mmsi, it.with]));
+      if (key === shown) return;
+      shown = key;
+      box.replaceChildren(
+        ...open.map(({ vehicle, mmsi, with: vessel }) =>
+          button(`Seen to: ${vessel}`, () => {
+            station.ask('Seen to', { do: 'acknowledge', vehicle, mmsi });
+          }),
+        ),
+      );
+      set_hidden(box, open.length === 0);
+    },
+  };
+}
+
 export function state_panel(station: Station): Panel {
   const list = element('dl', { class: 'facts' });
   const lines = new Map<Line, { term: HTMLElement; value: HTMLElement }>();
@@ -45,6 +75,7 @@ export function state_panel(station: Station): Panel {
     list.append(term, value);
     lines.set(name, { term, value });
   }
+  const seen_to = seen_to_buttons(station);
   const attitude = element('canvas', { class: 'attitude', 'aria-hidden': 'true' });
   const bars = element('div', { class: 'bars' });
   const fixed = {
@@ -62,6 +93,7 @@ export function state_panel(station: Station): Panel {
     element('div', { class: 'head' }, title, attitude),
     bars,
     list,
+    seen_to.box,
   );
 
   const set = (name: Line, text: string): void => {
@@ -136,10 +168,12 @@ export function state_panel(station: Station): Panel {
             (it) =>
               `${it.with}: ${plain(it.level)}` +
               (it.cpa_m === null ? '' : `, passes at ${metres_text(it.cpa_m)}`) +
-              (it.cpa_s === null ? '' : ` in ${Math.round(it.cpa_s)} s`),
+              (it.cpa_s === null ? '' : ` in ${Math.round(it.cpa_s)} s`) +
+              (it.acknowledged_by === '' ? '' : `, seen to by ${it.acknowledged_by}`),
           )
           .join('. '),
       );
+      seen_to.show(chosen);
       if (pose !== undefined) draw_attitude(attitude, pose.roll_rad, pose.pitch_rad);
 
       const charge = pose?.charge ?? null;

@@ -28,6 +28,15 @@ export class Eye {
     this.away_m = MathUtils.clamp(this.away_m / factor, NEAREST_M, FARTHEST_M);
   }
 
+  come_within(away_m: number): void {
+    this.away_m = Math.min(this.away_m, Math.max(NEAREST_M, away_m));
+  }
+
+  /** What it looks at, and how far about that is in view. */
+  looks_at(): { about: Vector3; reach_m: number } {
+    return { about: this.about, reach_m: 0.7 * this.away_m };
+  }
+
   /** All of it in view. */
   see_all(places: readonly Vector3[]): void {
     this.about.set(0, 0, 0);

@@ -1,9 +1,12 @@
 // Names beside what they are of, as text of the page, as large as it is asked for.
 import { Vector3, type PerspectiveCamera } from 'three';
 import { element, set_hidden, set_text } from '../../look/element';
-import { level_text } from '../look/units';
+import { level_text, metres_text, span_text } from '../look/units';
 import type { Session } from '../session/state';
+import type { Approach } from './approach';
 import { at_place, type Place } from './axes';
+
+const TURBINES_NAMED = 8;
 
 export interface Name {
   key: string;
@@ -13,7 +16,12 @@ export interface Name {
 }
 
 /** Vehicles with their depth or height, vessels with an alarm where one stands. */
-export function names_in(session: Session, chosen: number | null): Name[] {
+export function names_in(
+  session: Session,
+  chosen: number | null,
+  eye: Vector3,
+  approaches: readonly Approach[],
+): Name[] {
   const names: Name[] = [];
   for (const pose of session.poses.values()) {
     const vehicle = session.vehicles.get(pose.vehicle);
@@ -34,7 +42,31 @@ export function names_in(session: Session, chosen: number | null): Name[] {
       tone: alarm === undefined ? '' : 'alarm',
     });
   }
+  names.push(...turbine_names(session, eye));
+  for (const approach of approaches)
+    names.push({
+      key: `approach ${approach.vessel}`,
+      text: `${metres_text(approach.distance_m)} in ${span_text(approach.in_s)}`,
+      at: approach.others,
+      tone: 'alarm',
+    });
   return names;
+}
+
+/** The nearest, each with what it makes. */
+function turbine_names(session: Session, eye: Vector3): Name[] {
+  const { turbines, weather } = session;
+  if (turbines === null || eye.y < 0) return [];
+  return turbines.places
+    .map((place, nth) => ({ nth, at: { ...place, up_m: turbines.hub_height_m } }))
+    .map((it) => ({ ...it, away_m: at_place(it.at).distanceTo(eye) }))
+    .sort((a, b) => a.away_m - b.away_m)
+    .slice(0, TURBINES_NAMED)
+    .map(({ nth, at }) => {
+      const power_w = weather?.farm?.each[nth]?.power_w;
+      const makes = power_w === undefined ? '' : ` ${(power_w / 1e6).toFixed(1)} MW`;
+      return { key: `turbine ${nth}`, text: `T${nth + 1}${makes}`, at, tone: '' as const };
+    });
 }
 
 export class Labels {

@@ -1,37 +1,35 @@
 // The scene: the sea, the vehicles in it, and what stands and passes by, at the moment of the last
 // frame. What was not told is not there; what is told without a shape has a plain one.
 import {
-  AmbientLight,
   ArrowHelper,
-  BufferGeometry,
   Color,
-  DirectionalLight,
-  FogExp2,
-  Line,
-  LineBasicMaterial,
   Mesh,
   MeshBasicMaterial,
-  PlaneGeometry,
+  Plane,
+  Raycaster,
   Scene,
   SphereGeometry,
   Vector2,
   Vector3,
   WebGLRenderer,
-  type Object3D,
 } from 'three';
 import { colours } from '../look/palette';
 import type { Pose } from '../session/frame';
 import type { Vehicle } from '../session/message';
 import type { Session } from '../session/state';
-import { elevation_m } from '../session/sea';
 import type { Tracks } from '../view/tracks';
-import { fading_per_m, set_fog } from './air_and_water';
-import { at_place, turned } from './axes';
+import { seen_in_water_m } from './air_and_water';
+import { approaches_in, type Approach } from './approach';
+import { at_place, at_scene, turned, type Place } from './axes';
 import { Eye } from './eye';
+import { FarmView } from './farm_view';
+import { FlowSlice, Hodograph } from './flow_view';
+import { Kept } from './kept';
 import { Labels, names_in } from './labels';
 import { camera_edges, home_mark, ring } from './marks';
+import { people_names, place_people } from './people_shown';
 import { structure_shape, vehicle_shape, vessel_shape } from './shapes';
-import { Water } from './water';
+import { Surround } from './surround';
 
 export interface Shown {
   session: Session;
@@ -39,50 +37,25 @@ export interface Shown {
   chosen: number | null;
 }
 
-type PlainLine = Line<BufferGeometry, LineBasicMaterial>;
-
 const CURRENT_ARROW_M_PER_M_S = 4;
-
-/** Things by a key: made when they come, taken away when they are gone. */
-class Kept<T extends Object3D> {
-  private readonly things = new Map<string, T>();
-  private seen = new Set<string>();
-  constructor(private readonly scene: Scene) {}
-
-  of(key: string, make: () => T): T {
-    this.seen.add(key);
-    let thing = this.things.get(key);
-    if (thing === undefined) {
-      thing = make();
-      this.things.set(key, thing);
-      this.scene.add(thing);
-    }
-    return thing;
-  }
-  drop_the_rest(): void {
-    for (const [key, thing] of this.things) {
-      if (this.seen.has(key)) continue;
-      thing.traverse((part) => {
-        if (part instanceof Mesh || part instanceof Line) part.geometry.dispose();
-      });
-      this.scene.remove(thing);
-      this.things.delete(key);
-    }
-    this.seen = new Set();
-  }
-}
+const PRESSED = /^(?!sea$|sky$|slice$|turbines$).+/; // things with a name, but those all about
+const FARTHEST_M = 3000;
 
 export class SceneView {
   readonly eye = new Eye();
-  /** Under water as far as one likes, which is farther than anybody sees there. */
-  is_clear = false;
+  /** The current is shown: over a slice at this height, and from surface to bed at the chosen. */
+  slice_up_m: number | null = null;
+  shows_wakes = false;
   private readonly scene = new Scene();
-  private readonly fog = new FogExp2('#000000', 0);
-  private readonly water = new Water();
-  private readonly kept = new Kept<Object3D>(this.scene);
-  private readonly bed: Mesh<PlaneGeometry, MeshBasicMaterial>;
+  private readonly surround = new Surround(this.scene);
+  private readonly kept = new Kept(this.scene);
+  private readonly slice = new FlowSlice();
+  private readonly hodograph = new Hodograph();
   private readonly labels: Labels;
   private readonly renderer: WebGLRenderer;
+  private approaches: Approach[] = [];
+  private chosen_before: number | null = null;
+  private farm: { of: Session['turbines']; view: FarmView } | null = null;
 
   /** @throws where the browser has no WebGL 2 */
   constructor(
@@ -91,12 +64,14 @@ export class SceneView {
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
     this.labels = new Labels(labels);
-    this.scene.fog = this.fog;
-    const sun = new DirectionalLight('#ffffff', 2);
-    sun.position.set(0.4, 1, 0.3);
-    this.bed = new Mesh(new PlaneGeometry(6000, 6000), new MeshBasicMaterial());
-    this.bed.rotation.x = -Math.PI / 2;
-    this.scene.add(new AmbientLight('#ffffff', 1.2), sun, this.water.mesh, this.bed);
+    this.scene.add(this.slice.mesh, this.hodograph.group);
+  }
+
+  get is_clear(): boolean {
+    return this.surround.is_clear;
+  }
+  set is_clear(clear: boolean) {
+    this.surround.is_clear = clear;
   }
 
   /** What the last picture asked of the graphics card. */
@@ -108,6 +83,24 @@ export class SceneView {
     this.eye.see_all([...session.poses.values()].map(at_place));
   }
 
+  /**
+   * What lies under a place of the picture: the nearest thing, else mean sea level or the bed.
+   * @param right, down  shares of the picture, 0 to 1
+   */
+  place_under(right: number, down: number): Place | null {
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(2 * right - 1, 1 - 2 * down), this.eye.camera);
+    const things = this.scene.children.filter((it) => PRESSED.test(it.name));
+    const [hit] = ray.intersectObjects(things, true);
+    if (hit !== undefined) return at_scene(hit.point);
+    const level_m = this.eye.camera.position.y > 0 ? 0 : this.surround.bed_m;
+    if (level_m === null) return null;
+    const at = ray.ray.intersectPlane(new Plane(new Vector3(0, 1, 0), -level_m), new Vector3());
+    return at === null || at.distanceTo(this.eye.camera.position) > FARTHEST_M
+      ? null
+      : at_scene(at);
+  }
+
   draw({ session, tracks, chosen }: Shown): void {
     const { clientWidth: wide, clientHeight: high } = this.canvas;
     if (wide < 2 || high < 2) return;
@@ -117,11 +110,20 @@ export class SceneView {
     const pose = chosen === null ? undefined : session.poses.get(chosen);
     const vehicle = chosen === null ? undefined : session.vehicles.get(chosen);
     const pointing = chosen === null ? null : (session.statuses.get(chosen)?.camera ?? null);
+    const is_followed_anew = chosen !== this.chosen_before && this.eye.stand === 'follow';
+    if (is_followed_anew && pose !== undefined && pose.up_m < -1)
+      this.eye.come_within(0.5 * seen_in_water_m(session.weather));
+    this.chosen_before = chosen;
     this.eye.place(pose, pointing, vehicle?.length_m ?? 1);
     this.place_things(session, tracks, chosen);
-    this.place_water(session);
+    this.place_farm(session);
+    this.place_flow(session, pose ?? null);
+    this.surround.show(session, this.eye.camera.position);
     this.renderer.render(this.scene, this.eye.camera);
-    this.labels.show(names_in(session, chosen), this.eye.camera, wide, high);
+    const { camera } = this.eye;
+    const names = names_in(session, chosen, camera.position, this.approaches);
+    names.push(...people_names(session));
+    this.labels.show(names, camera, wide, high);
   }
 
   private place_things(session: Session, tracks: Tracks, chosen: number | null): void {
@@ -135,17 +137,8 @@ export class SceneView {
       );
       shape.position.copy(at_place(pose));
       shape.rotation.copy(turned(pose));
-      // The water (or in the air the wind) that it is in.
-      const flow = new Vector3(pose.current_east_m_s, 0, -pose.current_north_m_s);
-      const arrow = this.kept.of(
-        `flow ${pose.vehicle}`,
-        () => new ArrowHelper(new Vector3(1, 0, 0), new Vector3(), 1),
-      ) as ArrowHelper;
-      arrow.visible = flow.length() > 0.01;
-      arrow.position.copy(shape.position);
-      arrow.setDirection(flow.clone().normalize());
-      arrow.setLength(Math.max(0.3, CURRENT_ARROW_M_PER_M_S * flow.length()), 0.4, 0.2);
-      arrow.setColor(new Color(colours().water));
+      this.place_stream(pose);
+      this.place_line(session, pose);
       if (pose.vehicle !== chosen) continue;
       this.place_way(session, tracks, pose.vehicle);
       this.place_marks(session, vehicle, pose);
@@ -155,15 +148,32 @@ export class SceneView {
       shape.position.copy(at_place({ ...vessel, up_m: 0 })); // how it heaves nobody tells
       shape.rotation.y = -((vessel.course_deg ?? 0) * Math.PI) / 180;
     }
+    this.approaches = approaches_in(session);
+    for (const [nth, { own, others }] of this.approaches.entries())
+      this.kept.line(`approach ${nth}`, [at_place(own), at_place(others)], colours().alarm);
+    place_people(this.kept, session, colours());
     this.kept.drop_the_rest();
   }
 
-  private line(key: string, through: Vector3[], colour: string): void {
-    const line = this.kept.of(
-      key,
-      () => new Line(new BufferGeometry(), new LineBasicMaterial()),
-    ) as PlainLine;
-    set_line(line, through, colour);
+  /** The water (or in the air the wind) that it is in. */
+  private place_stream(pose: Pose): void {
+    const flow = new Vector3(pose.current_east_m_s, 0, -pose.current_north_m_s);
+    const arrow = this.kept.of(`flow ${pose.vehicle}`, () => {
+      return new ArrowHelper(new Vector3(1, 0, 0), new Vector3(), 1);
+    });
+    arrow.visible = flow.length() > 0.01;
+    arrow.position.copy(at_place(pose));
+    arrow.setDirection(flow.clone().normalize());
+    arrow.setLength(Math.max(0.3, CURRENT_ARROW_M_PER_M_S * flow.length()), 0.4, 0.2);
+    arrow.setColor(new Color(colours().water));
+  }
+
+  /** Its tether; frames come oftener than its nodes, so its end is held to the vehicle. */
+  private place_line(session: Session, pose: Pose): void {
+    const nodes = session.lines.get(pose.vehicle);
+    if (nodes === undefined) return;
+    const through = [...nodes.slice(0, -1).map(at_place), at_place(pose)];
+    this.kept.line(`line ${pose.vehicle}`, through, colours().amber);
   }
 
   /** What it has about it. On board its camera's own edges would be in the way. */
@@ -171,63 +181,50 @@ export class SceneView {
     const { accent, amber, quiet } = colours();
     const pointing = session.statuses.get(pose.vehicle)?.camera ?? null;
     if (pointing !== null && this.eye.stand !== 'on_board')
-      this.line('camera', camera_edges(pose, pointing), accent);
+      this.kept.line('camera', camera_edges(pose, pointing), accent);
     const home = home_mark(vehicle);
-    if (home !== null) this.line('home', home, quiet);
-    if (vehicle.zone !== null) this.line('zone', ring(vehicle.zone, vehicle.zone.radius_m), amber);
+    if (home !== null) this.kept.line('home', home, quiet);
+    if (vehicle.zone !== null)
+      this.kept.line('zone', ring(vehicle.zone, vehicle.zone.radius_m), amber);
   }
 
   /** Where the chosen one was and goes, each waypoint with a plumb line to the surface. */
   private place_way(session: Session, tracks: Tracks, vehicle: number): void {
     const { accent, ink } = colours();
-    this.line('track', tracks.of(vehicle).map(at_place), ink);
-    session.statuses.get(vehicle)?.waypoints.slice(0, 40).forEach((waypoint, nth) => {
-      const ball = this.kept.of(
-        `waypoint ${nth}`,
-        () => new Mesh(new SphereGeometry(0.4, 12, 8), new MeshBasicMaterial()),
-      ) as Mesh<SphereGeometry, MeshBasicMaterial>;
-      ball.material.color.set(accent);
-      ball.position.copy(at_place(waypoint));
-      const ends = [at_place(waypoint), at_place({ ...waypoint, up_m: 0 })];
-      this.line(`plumb ${nth}`, ends, accent);
-    });
+    this.kept.line('track', tracks.of(vehicle).map(at_place), ink);
+    session.statuses
+      .get(vehicle)
+      ?.waypoints.slice(0, 40)
+      .forEach((waypoint, nth) => {
+        const ball = this.kept.of(`waypoint ${nth}`, () => {
+          return new Mesh(new SphereGeometry(0.4, 12, 8), new MeshBasicMaterial({ fog: false }));
+        });
+        ball.material.color.set(accent);
+        ball.position.copy(at_place(waypoint));
+        const ends = [at_place(waypoint), at_place({ ...waypoint, up_m: 0 })];
+        this.kept.line(`plumb ${nth}`, ends, accent);
+      });
   }
 
-  private place_water(session: Session): void {
-    const at = this.eye.camera.position;
-    const about = new Vector2(at.x, -at.z);
-    const factor = session.weather?.waves_factor ?? 1;
-    const time_s = session.frame?.time_s ?? 0;
-    this.water.show(session.sea, factor, time_s, about);
-    const surface_m = elevation_m(session.sea, factor, about.x, about.y, time_s);
-    const is_under_water = at.y < surface_m;
-    const { sky, deep, bed } = colours();
-    const seen = is_under_water ? deep : sky;
-    const per_m = fading_per_m(session.weather, is_under_water);
-    set_fog(this.fog, is_under_water && this.is_clear ? 0 : per_m, seen);
-    this.scene.background = new Color(seen);
-    this.water.paint(deep, sky);
-    const bed_m = bed_of(session);
-    this.bed.visible = bed_m !== null;
-    this.bed.position.set(at.x, bed_m ?? 0, at.z);
-    this.bed.material.color.set(bed);
+  private place_farm(session: Session): void {
+    if (this.farm !== null && this.farm.of !== session.turbines) {
+      this.scene.remove(this.farm.view.group);
+      this.farm.view.dispose();
+      this.farm = null;
+    }
+    if (session.turbines === null) return;
+    if (this.farm === null) {
+      this.farm = { of: session.turbines, view: new FarmView(session.turbines) };
+      this.scene.add(this.farm.view.group);
+    }
+    this.farm.view.show(session.weather, session.frame?.time_s ?? 0, this.shows_wakes);
   }
-}
 
-/** Where the vehicles measure it, the deepest; else the depth that the waves were made for. */
-function bed_of(session: Session): number | null {
-  let deepest: number | null = null;
-  for (const pose of session.poses.values()) {
-    if (pose.bed_m === null) continue;
-    const bed_m = pose.up_m - pose.bed_m;
-    if (deepest === null || bed_m < deepest) deepest = bed_m;
+  private place_flow(session: Session, chosen: Pose | null): void {
+    const { water } = colours();
+    const is_shown = this.slice_up_m !== null;
+    const currents = is_shown ? (session.weather?.currents ?? []) : [];
+    this.slice.show(currents, this.slice_up_m ?? 0, this.eye.looks_at(), water);
+    this.hodograph.show(currents, chosen, water);
   }
-  return deepest ?? (session.sea === null ? null : -session.sea.depth_m);
-}
-
-function set_line(line: PlainLine, through: Vector3[], colour: string): void {
-  line.geometry.dispose();
-  line.geometry = new BufferGeometry().setFromPoints(through);
-  line.material.color.set(colour);
-  line.frustumCulled = false;
 }

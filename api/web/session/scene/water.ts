@@ -4,7 +4,6 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  Color,
   DataTexture,
   DoubleSide,
   FloatType,
@@ -14,6 +13,7 @@ import {
   UniformsLib,
   UniformsUtils,
   Vector2,
+  type Color,
 } from 'three';
 import { phase_of, type Sea } from '../session/sea';
 
@@ -123,10 +123,10 @@ export class Water {
     this.mesh.name = 'sea';
   }
 
-  paint(deep: string, sky: string): void {
+  paint(deep: Color, sky: Color): void {
     const { uniforms } = this.mesh.material;
-    uniforms.deep!.value = new Color(deep);
-    uniforms.sky!.value = new Color(sky);
+    uniforms.deep!.value = deep;
+    uniforms.sky!.value = sky;
   }
 
   /** The surface about a place, at a time of the run. */

@@ -1,10 +1,13 @@
 // What is around the vehicles: the weather at the origin of the run, and who passes by.
+import { read_currents, type Current } from './currents';
+import { read_farm, type FarmNow } from './farm';
 import { as_list, as_number, as_object, as_text, type Json } from './message';
 
 export interface Weather {
   wind_m_s: number | null;
   wind_from_deg: number | null;
   hub_wind_m_s: number | null;
+  hub_wind_from_deg: number | null;
   waves_m: number | null;
   waves_period_s: number | null;
   waves_from_deg: number | null;
@@ -16,7 +19,8 @@ export interface Weather {
   led: string[]; // by name: wind, waves, current, visibility, water_visibility
   led_by: string;
   settles_in_s: number;
-  farm: { power_w: number; rated_w: number; turbines: number } | null;
+  currents: Current[]; // from the surface to the bed; empty: nobody knows
+  farm: FarmNow | null;
 }
 
 export interface Vessel {
@@ -32,11 +36,11 @@ export interface Vessel {
 export function read_weather(value: unknown): Weather | null {
   const it = as_object(value);
   if (it === null) return null;
-  const farm = as_object(it.farm);
   return {
     wind_m_s: as_number(it.wind_m_s),
     wind_from_deg: as_number(it.wind_from_deg),
     hub_wind_m_s: as_number(it.hub_wind_m_s),
+    hub_wind_from_deg: as_number(it.hub_wind_from_deg),
     waves_m: as_number(it.waves_m),
     waves_period_s: as_number(it.waves_period_s),
     waves_from_deg: as_number(it.waves_from_deg),
@@ -48,11 +52,8 @@ export function read_weather(value: unknown): Weather | null {
     led: as_list(it.led).map(as_text),
     led_by: as_text(it.led_by),
     settles_in_s: as_number(it.settles_in_s) ?? 0,
-    farm: farm && {
-      power_w: as_number(farm.power_w) ?? Number.NaN,
-      rated_w: as_number(farm.rated_w) ?? Number.NaN,
-      turbines: as_number(farm.turbines) ?? 0,
-    },
+    currents: read_currents(it.currents),
+    farm: read_farm(it.farm),
   };
 }
 

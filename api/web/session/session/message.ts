@@ -111,6 +111,8 @@ export interface Alarm {
   level: string;
   cpa_m: number | null;
   cpa_s: number | null;
+  mmsi: number | null;
+  acknowledged_by: string; // empty: nobody has seen to it
 }
 export interface Action {
   number: number;
@@ -174,13 +176,22 @@ function list_of<T>(value: unknown, read: (it: Json) => T | null): T[] {
   return made;
 }
 
-function read_point(value: unknown): Point | null {
+export function read_point(value: unknown): Point | null {
   const it = as_object(value);
   if (it === null) return null;
   const east_m = as_number(it.east_m);
   const north_m = as_number(it.north_m);
   if (east_m === null || north_m === null) return null;
   return { east_m, north_m, up_m: as_number(it.up_m) ?? 0 };
+}
+/** Each as east, north, up. */
+export function read_nodes(value: unknown): Point[] {
+  const nodes: Point[] = [];
+  for (const one of as_list(value)) {
+    const [east_m, north_m, up_m] = as_list(one).map(as_number);
+    if (east_m != null && north_m != null && up_m != null) nodes.push({ east_m, north_m, up_m });
+  }
+  return nodes;
 }
 export function read_waypoints(value: unknown): Waypoint[] {
   return list_of(value, (it) => {
@@ -310,6 +321,8 @@ export function read_status(it: Json): Status | null {
             level: as_text(alarm.level) || (alarm.is_lost === true ? 'lost from sight' : 'close'),
             cpa_m: as_number(alarm.cpa_m),
             cpa_s: as_number(alarm.cpa_s),
+            mmsi: as_number(alarm.mmsi),
+            acknowledged_by: as_text(alarm.acknowledged_by),
           };
         })
       : null,

@@ -10,6 +10,7 @@ import type {
   Holder,
   Json,
   Picture,
+  Point,
   Role,
   Run,
   Seat,
@@ -17,6 +18,8 @@ import type {
   Structure,
   Vehicle,
 } from './message';
+import { read_looks, read_notes, type Look, type Note } from './gathering';
+import { read_turbines, type Turbines } from './farm';
 import { read_playback, type Playback } from './playback';
 import { read_sea, type Sea } from './sea';
 
@@ -49,6 +52,13 @@ export interface Session {
   /** Null: calm, or a recording, which does not tell. */
   sea: Sea | null;
   vessels: Vessel[];
+  turbines: Turbines | null;
+  /** Where the run's metres count from; null: not told. */
+  origin: { lat_deg: number; lon_deg: number } | null;
+  /** Of each vehicle on a tether its nodes, from the top to it. */
+  lines: Map<number, Point[]>;
+  looks: Look[];
+  notes: Note[];
   actions: Action[];
   said: Said[];
   frame: Frame | null;
@@ -77,6 +87,11 @@ export function empty_session(): Session {
     weather: null,
     sea: null,
     vessels: [],
+    turbines: null,
+    origin: null,
+    lines: new Map(),
+    looks: [],
+    notes: [],
     actions: [],
     said: [],
     frame: null,
@@ -121,6 +136,15 @@ export function tell(session: Session, message: Json): boolean {
     case 'weather':
       session.weather = read_weather(message);
       return true;
+    case 'looks':
+      session.looks = read_looks(message.looks);
+      return true;
+    case 'notes':
+      session.notes = read_notes(message.notes);
+      return true;
+    case 'line':
+      take_line(session, message);
+      return true;
     case 'traffic':
       session.vessels = read_vessels(message.vessels);
       return true;
@@ -155,6 +179,14 @@ function camera_of(picture: Picture): string {
   return `${picture.vehicle} ${picture.sensor}`;
 }
 
+function take_line(session: Session, message: Json): void {
+  const vehicle = read.as_number(message.vehicle);
+  if (vehicle === null) return;
+  const nodes = read.read_nodes(message.nodes);
+  if (nodes.length < 2) session.lines.delete(vehicle);
+  else session.lines.set(vehicle, nodes);
+}
+
 function take_status(session: Session, status: Status): void {
   session.statuses.set(status.vehicle, status);
   if (status.alarms === null) return;
@@ -186,6 +218,14 @@ function welcome(session: Session, message: Json): void {
   session.pictures = new Map(read.read_pictures(message.pictures).map((it) => [camera_of(it), it]));
   session.weather = read_weather(message.weather);
   session.sea = read_sea(message.sea);
+  session.turbines = read_turbines(message.turbines);
+  const origin = read.as_object(message.origin);
+  const [lat_deg, lon_deg] = [read.as_number(origin?.lat), read.as_number(origin?.lon)];
+  session.origin = lat_deg === null || lon_deg === null ? null : { lat_deg, lon_deg };
+  session.looks = read_looks(message.looks);
+  session.notes = read_notes(message.notes);
+  session.lines.clear();
+  for (const line of read.as_list(message.lines)) take_line(session, read.as_object(line) ?? {});
   session.vessels = read_vessels(read.as_object(message.traffic)?.vessels);
   // What a welcome does not carry is told anew after it: the old is of a link that is gone.
   session.poses.clear();

@@ -128,7 +128,7 @@ test('vehicles and vessels have names, and who comes near says so', () => {
   ];
   const alarm = { vehicle: 1, with: 'TUG', level: 'close', cpa_m: 20, cpa_s: 60 };
   session.alarms.set('1 TUG', alarm);
-  const said = names_in(session, 1).map((it) => `${it.text} ${it.tone}`);
+  const said = names_in(session, 1, new Vector3(), []).map((it) => `${it.text} ${it.tone}`);
   assert.deepEqual(said, ['rov 7.0 m deep chosen', 'COASTER ', 'TUG: close alarm']);
 });
 

@@ -1,0 +1,113 @@
+// Who looks at the scene is seen there by the others: where he is, where he looks and what he
+// points at; and he puts notes at places.
+import { button, element, set_hidden, set_text } from '../../look/element';
+import type { SceneView } from '../scene/scene_view';
+import { look_along } from '../scene/people_shown';
+import { at_scene } from '../scene/axes';
+import type { Point } from '../session/message';
+import type { Station } from '../station';
+import { Vector3 } from 'three';
+
+const TOLD_EVERY_MS = 250;
+const POINTS_FOR_MS = 8000;
+
+export interface ScenePeople {
+  readonly nodes: HTMLElement[];
+  readonly notes: HTMLElement;
+  /** A place of the scene was pressed. True: it is pointed at. */
+  press(at: Point | null): boolean;
+  /** Tells the others, if something changed. */
+  tell(view: SceneView): void;
+  show(): void;
+}
+
+export function scene_people(station: Station): ScenePeople {
+  let is_pointing = false;
+  let point: Point | null = null;
+  let pointed_ms = -Infinity;
+  let told = '';
+  let told_ms = -Infinity;
+  let shown = '';
+  const pointer = button(
+    'Point',
+    () => {
+      is_pointing = !is_pointing;
+      pointer.setAttribute('aria-pressed', String(is_pointing));
+    },
+    { 'aria-pressed': 'false' },
+  );
+  const words = element('input', {
+    type: 'text',
+    maxlength: 200,
+    'aria-label': 'A note, put where you pointed last, or at the chosen vehicle',
+    placeholder: 'Note',
+  });
+  const form = element(
+    'form',
+    { class: 'scene-note' },
+    words,
+    element('button', { type: 'submit' }, 'Put'),
+  );
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    const text = words.value.trim();
+    const chosen = station.chosen === null ? undefined : station.session.poses.get(station.chosen);
+    const at = point ?? chosen;
+    if (text === '' || at === undefined) return;
+    const { east_m, north_m, up_m } = at;
+    if (station.ask('Note', { do: 'note', text, at: { east_m, north_m, up_m } })) words.value = '';
+  });
+  const notes = element('ul', { class: 'scene-notes' });
+
+  return {
+    nodes: [pointer, form],
+    notes,
+    press: (at) => {
+      if (!is_pointing || at === null) return false;
+      point = at;
+      pointed_ms = performance.now();
+      return true;
+    },
+    tell: (view) => {
+      const now_ms = performance.now();
+      if (station.session.seat === null || now_ms < told_ms + TOLD_EVERY_MS) return;
+      const { camera } = view.eye;
+      const is_still = point !== null && now_ms < pointed_ms + POINTS_FOR_MS;
+      const { heading_deg, tilt_deg } = look_along(camera.getWorldDirection(new Vector3()));
+      const look = {
+        do: 'look',
+        from: at_scene(camera.position),
+        heading_deg: Math.round(heading_deg),
+        tilt_deg: Math.round(tilt_deg),
+        point: is_still ? point : null,
+      };
+      const text = JSON.stringify(look);
+      if (text === told || station.wire.send(look) === null) return;
+      told = text;
+      told_ms = now_ms;
+    },
+    show: () => {
+      const { session } = station;
+      set_hidden(form, session.role === 'spectator');
+      set_hidden(pointer, session.seat === null);
+      const key = JSON.stringify([session.notes, session.role, session.seat]);
+      if (key === shown) return;
+      shown = key;
+      notes.replaceChildren(
+        ...session.notes.map((note) => {
+          const line = element('li', {}, element('span', {}));
+          set_text(line.firstChild!, `${note.who}: ${note.text} `);
+          const may = note.seat === session.seat || station.is_supervisor();
+          if (may)
+            line.append(
+              button(
+                'Take away',
+                () => void station.ask('Note', { do: 'unnote', note: note.note }),
+              ),
+            );
+          return line;
+        }),
+      );
+    },
+  };
+}

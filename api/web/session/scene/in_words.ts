@@ -1,0 +1,66 @@
+// What is in the scene, in words, for who does not see it: one line each.
+import { heading_text, level_text, metres_text, span_text } from '../look/units';
+import { current_at } from '../session/currents';
+import { run_utc_ms, type Session } from '../session/state';
+import type { Approach } from './approach';
+import { sun_position, type Sun } from './sun';
+
+const EVERY_M = 10; // depths of which the current is told
+
+/** The sun now, where the run says when and where it is. */
+export function sun_of(session: Session): Sun | null {
+  const utc_ms = run_utc_ms(session);
+  if (session.origin === null || !Number.isFinite(utc_ms)) return null;
+  return sun_position(session.origin.lat_deg, session.origin.lon_deg, utc_ms);
+}
+
+function sun_words({ elevation_deg, azimuth_deg }: Sun): string {
+  if (elevation_deg <= 0) return `The sun is ${(-elevation_deg).toFixed(0)}° below the horizon.`;
+  const where = `${elevation_deg.toFixed(0)}° high at ${azimuth_deg.toFixed(0)}°`;
+  return `The sun stands ${where}; a clear sky is supposed.`;
+}
+
+export function scene_in_words(session: Session, approaches: readonly Approach[]): string[] {
+  const lines: string[] = [];
+  const sun = sun_of(session);
+  if (sun !== null) lines.push(sun_words(sun));
+  const { weather, turbines } = session;
+  const currents = weather?.currents ?? [];
+  const deepest_m = currents.at(-1)?.up_m ?? 0;
+  for (let up_m = 0; up_m >= deepest_m && currents.length > 1; up_m -= EVERY_M) {
+    const at = current_at(currents, up_m);
+    if (at === null) continue;
+    const to = heading_text(Math.atan2(at.east_m_s, at.north_m_s));
+    const speed = Math.hypot(at.east_m_s, at.north_m_s).toFixed(2);
+    lines.push(`Current ${-up_m} m deep: ${speed} m/s to ${to} (forecast).`);
+  }
+  turbines?.places.forEach((place, nth) => {
+    const now = weather?.farm?.each[nth];
+    const where = `${metres_text(Math.hypot(place.east_m, place.north_m))} from the origin`;
+    const power = `${((now?.power_w ?? 0) / 1e6).toFixed(1)} MW`;
+    const makes = now === undefined ? '' : `: ${power} in ${now.wind_m_s.toFixed(1)} m/s`;
+    lines.push(`Turbine ${nth + 1}, ${where}${makes}.`);
+  });
+  for (const structure of session.structures)
+    lines.push(
+      `${structure.name}, ${level_text(structure.bottom_m)} to ${level_text(structure.top_m)}.`,
+    );
+  for (const [vehicle, nodes] of session.lines) {
+    const length_m = nodes.slice(1).reduce((sum, node, i) => {
+      const before = nodes[i]!;
+      return (
+        sum +
+        Math.hypot(
+          node.east_m - before.east_m,
+          node.north_m - before.north_m,
+          node.up_m - before.up_m,
+        )
+      );
+    }, 0);
+    const name = session.vehicles.get(vehicle)?.name ?? `vehicle ${vehicle}`;
+    lines.push(`The tether of ${name}, ${metres_text(length_m)} of it out.`);
+  }
+  for (const { vessel, distance_m, in_s } of approaches)
+    lines.push(`${vessel} comes as near as ${metres_text(distance_m)} in ${span_text(in_s)}.`);
+  return lines;
+}

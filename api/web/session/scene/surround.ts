@@ -1,0 +1,84 @@
+// What is all about the eye: sky, sea, bed, and their light.
+import {
+  AmbientLight,
+  Color,
+  DirectionalLight,
+  FogExp2,
+  Mesh,
+  MeshBasicMaterial,
+  PlaneGeometry,
+  Vector2,
+  type Scene,
+  type Vector3,
+} from 'three';
+import { colours } from '../look/palette';
+import { elevation_m } from '../session/sea';
+import type { Session } from '../session/state';
+import { fading_per_m, light_seen, lit, set_fog } from './air_and_water';
+import { daylight_of } from './daylight';
+import { sun_of } from './in_words';
+import { Sky } from './sky';
+import { Water } from './water';
+
+const NOON = { elevation_deg: 50, azimuth_deg: 180 }; // where nobody says when and where
+const UNKNOWN_BY_DAY = 1.2; // of all sides, where the sun's own light is 2
+
+export class Surround {
+  /** Under water as far as one likes, which is farther than anybody sees there. */
+  is_clear = false;
+  /** Of the bed that is shown; null: none is. */
+  bed_m: number | null = null;
+  private readonly fog = new FogExp2('#000000', 0);
+  private readonly sky = new Sky();
+  private readonly water = new Water();
+  private readonly bed = new Mesh(new PlaneGeometry(6000, 6000), new MeshBasicMaterial());
+  private readonly sun = new DirectionalLight('#ffffff', 2);
+  private readonly all_sides = new AmbientLight('#ffffff', UNKNOWN_BY_DAY);
+
+  constructor(private readonly scene: Scene) {
+    scene.fog = this.fog;
+    this.bed.rotation.x = -Math.PI / 2;
+    scene.add(this.all_sides, this.sun, this.sky.mesh, this.water.mesh, this.bed);
+  }
+
+  show(session: Session, eye: Vector3): void {
+    const about = new Vector2(eye.x, -eye.z);
+    const factor = session.weather?.waves_factor ?? 1;
+    const time_s = session.frame?.time_s ?? 0;
+    this.water.show(session.sea, factor, time_s, about);
+    const surface_m = elevation_m(session.sea, factor, about.x, about.y, time_s);
+    const is_under_water = eye.y < surface_m;
+    const { sky, deep, bed } = colours();
+    const daylight = daylight_of(sun_of(session) ?? NOON, sky);
+    const per_m = fading_per_m(session.weather, is_under_water);
+    // By day water shows the colours that it leaves of the light from above.
+    const left = is_under_water ? light_seen(per_m, surface_m - eye.y) : ([1, 1, 1] as const);
+    const water = new Color(deep).multiplyScalar(daylight.light);
+    const seen = is_under_water ? lit(water, left) : daylight.horizon;
+    set_fog(this.fog, is_under_water && this.is_clear ? 0 : per_m, is_under_water, seen);
+    this.scene.background = seen.clone();
+    this.sky.mesh.visible = !is_under_water;
+    this.sky.show(daylight, eye);
+    this.sun.position.copy(daylight.to_sun);
+    this.sun.color.copy(lit(daylight.sun, left));
+    this.sun.intensity = 2.2 * daylight.beam * daylight.light;
+    this.all_sides.color.copy(lit(new Color('#ffffff'), left));
+    this.all_sides.intensity = UNKNOWN_BY_DAY * daylight.light;
+    this.water.paint(water, daylight.zenith.clone().lerp(daylight.horizon, 0.5));
+    this.bed_m = bed_of(session);
+    this.bed.visible = this.bed_m !== null;
+    this.bed.position.set(eye.x, this.bed_m ?? 0, eye.z);
+    this.bed.material.color.copy(lit(new Color(bed), left).multiplyScalar(daylight.light));
+  }
+}
+
+/** Where the vehicles measure it, the deepest; else the depth that the waves were made for. */
+function bed_of(session: Session): number | null {
+  let deepest: number | null = null;
+  for (const pose of session.poses.values()) {
+    if (pose.bed_m === null) continue;
+    const bed_m = pose.up_m - pose.bed_m;
+    if (deepest === null || bed_m < deepest) deepest = bed_m;
+  }
+  return deepest ?? (session.sea === null ? null : -session.sea.depth_m);
+}
