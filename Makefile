@@ -47,7 +47,7 @@ soak: test-packages venv
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
 	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 SLACKWATER_WINDS=50 ctest --preset release -V \
 	  -R 'Probabilities|MemberSpread|TwinTargets|BlendTwin|FitProfile|RealPairs'
-	ctest --preset release -V -R 'Encounters'
+	ctest --preset release -V -R 'Encounters|TenTasks'
 	SLACKWATER_TASK_DAYS=4000 SLACKWATER_TWIN_DAYS=300 ctest --preset release -V \
 	  -R 'WindowProbabilities|TwinProbabilities|PlanChances'
 	SLACKWATER_OCEANS=6 SLACKWATER_MORNINGS=45 ctest --preset release -V -R 'MorningChances'
