@@ -11,7 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double farthest_m = 1e6;
 constexpr std::size_t longest_note = 200;
 
 PlaceOfRun place_in(const StationSays& says, std::string_view key) {
@@ -28,12 +27,6 @@ json place_json(const PlaceOfRun& at) {
   const auto rounded = [](double value_m) { return std::round(100 * value_m) / 100 + 0.0; };
   return {
       {"east_m", rounded(at.east_m)}, {"north_m", rounded(at.north_m)}, {"up_m", rounded(at.up_m)}};
-}
-
-Said refused(twin::RefusalReason reason, std::string text) {
-  Said said;
-  said.refused = twin::Refusal{reason, std::move(text)};
-  return said;
 }
 
 std::string words_at(const Note& note) {

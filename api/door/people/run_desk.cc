@@ -19,16 +19,9 @@ constexpr std::size_t most_places = 200;
 constexpr Milliseconds stick_ahead_ms = 1'000, order_ahead_ms = 5'000;
 /// Between a station that set its clock by `time` and the session, over a slow link.
 constexpr Milliseconds clocks_differ_ms = 500;
-constexpr double farthest_m = 1e6;
 constexpr std::int64_t most_number = std::int64_t{1} << 53U;  // what JavaScript can count
 
 const std::string supervisors = "the supervisors";
-
-Said refused(RefusalReason reason, std::string text) {
-  Said said;
-  said.refused = Refusal{reason, std::move(text)};
-  return said;
-}
 
 std::string words_of(const HelmNow& helm) { return std::string(name_of(helm.state)); }
 
@@ -61,6 +54,12 @@ twin::Triple<double> place_of(const StationSays& says) {
 }
 
 }  // namespace
+
+Said refused(RefusalReason reason, std::string text) {
+  Said said;
+  said.refused = Refusal{reason, std::move(text)};
+  return said;
+}
 
 RunDesk::RunDesk(const api::RunInHand& hand) : hand_(hand), helms_(hand.arbiter) {
   open(hand.run.agents());

@@ -22,6 +22,12 @@ struct Said {
   std::string vehicle;
 };
 
+/// What was not taken, and changed nothing.
+[[nodiscard]] Said refused(twin::RefusalReason reason, std::string text);
+
+/// From the origin: places farther off are taken for mistakes.
+inline constexpr double farthest_m = 1e6;
+
 /// What a seat asks, and what there is to see as it does.
 struct Asked {
   const Seat& seat;
