@@ -1,5 +1,6 @@
 #include "api/show/report/slack.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fields/base/check.h"
@@ -47,22 +48,25 @@ void find_sure(const std::vector<UtcTime>& time,
                const std::vector<std::vector<double>>& futures_m_s, double below_m_s,
                SlackWindow& window) {
   constexpr std::size_t fewest = 10;
-  if (futures_m_s.size() < fewest) return;
-  for (std::size_t first = 0; first < time.size() && time[first] <= window.to; ++first) {
-    if (time[first] < window.from) continue;
-    std::vector<bool> stays(futures_m_s.size(), true);
-    for (std::size_t i = first; i < time.size() && time[i] <= window.to; ++i) {
-      std::size_t below = 0;
-      for (std::size_t f = 0; f < futures_m_s.size(); ++f) {
-        stays[f] = stays[f] && futures_m_s[f][i] < below_m_s;
-        below += stays[f] ? 1U : 0U;
-      }
-      if (10 * below < 9 * futures_m_s.size()) break;
-      if (window.sure_from && time[i] - time[first] <= *window.sure_to - *window.sure_from)
-        continue;
-      window.sure_from = time[first];
-      window.sure_to = time[i];
-    }
+  const std::size_t many = futures_m_s.size();
+  if (many < fewest) return;
+  const auto index = [&](auto at) { return static_cast<std::size_t>(at - time.begin()); };
+  const std::size_t from = index(std::lower_bound(time.begin(), time.end(), window.from));
+  const std::size_t to = index(std::upper_bound(time.begin(), time.end(), window.to));
+  const std::size_t most_that_leave = many / 10;
+  // From each time on, backwards: where each future is no longer below.
+  std::vector<std::size_t> ends(many, to), sorted;
+  for (std::size_t first = to; first-- > from;) {
+    for (std::size_t f = 0; f < many; ++f)
+      if (!(futures_m_s[f][first] < below_m_s)) ends[f] = first;
+    sorted = ends;
+    const auto enough = sorted.begin() + static_cast<std::ptrdiff_t>(most_that_leave);
+    std::nth_element(sorted.begin(), enough, sorted.end());
+    if (*enough == first) continue;
+    const UtcTime last = time[*enough - 1];
+    if (window.sure_from && last - time[first] < *window.sure_to - *window.sure_from) continue;
+    window.sure_from = time[first];
+    window.sure_to = last;
   }
 }
 

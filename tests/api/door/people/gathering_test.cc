@@ -160,11 +160,12 @@ vehicles:
   (void)one.hello("Ann");
   (void)other.hello("Gus");
   expect_taken(one.asks(note_at(3, "look here")));
+  const json row = other.told("action", [](const json& is) { return is["what"] == "note"; });
+  ASSERT_FALSE(row.is_null());
+  EXPECT_TRUE(contains(row["after"].get<std::string>(), "look here at 3.0 m east"));
   const json notes = other.told("notes");
   ASSERT_FALSE(notes.is_null());
   EXPECT_EQ(notes["notes"][0]["text"], "look here");
-  const json row = other.told("action", [](const json& is) { return is["what"] == "note"; });
-  EXPECT_TRUE(contains(row["after"].get<std::string>(), "look here at 3.0 m east"));
   one.says({{"do", "look"},
             {"from", {{"east_m", 1}, {"north_m", 2}, {"up_m", 3}}},
             {"heading_deg", 45},

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <random>
 
 namespace slackwater::api::slack_test {
 namespace {
@@ -46,6 +49,35 @@ TEST(SlackWindows, AreSureWhereNineOfTenFuturesStayBelowThroughout) {
   EXPECT_EQ(together[0].sure_to, time[3]);
   futures.resize(9);
   EXPECT_FALSE(slack_windows(time, likely, futures, 0.5)[0].sure_from) << "too few";
+}
+
+/// By hand, all pairs of times: the longest stretch, the earliest of equal ones.
+TEST(SlackWindows, AreSureForTheLongestOfAllStretches) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto time = hourly(12);
+    const std::size_t many = 10 + random() % 15;
+    std::vector<std::vector<double>> futures(many, std::vector<double>(time.size()));
+    for (auto& future : futures)
+      for (double& speed_m_s : future) speed_m_s = random() % 12 == 0 ? 0.75 : 0.25;
+    const auto found = slack_windows(time, std::vector<double>(time.size(), 0.25), futures, 0.5);
+    ASSERT_EQ(found.size(), 1U);
+    std::optional<std::pair<std::size_t, std::size_t>> longest;
+    for (std::size_t from = 0; from < time.size(); ++from)
+      for (std::size_t to = from; to < time.size(); ++to) {
+        const auto stays = std::count_if(futures.begin(), futures.end(), [&](const auto& future) {
+          return std::all_of(future.begin() + static_cast<std::ptrdiff_t>(from),
+                             future.begin() + static_cast<std::ptrdiff_t>(to) + 1,
+                             [](double speed_m_s) { return speed_m_s < 0.5; });
+        });
+        if (10 * static_cast<std::size_t>(stays) < 9 * many) continue;
+        if (!longest || to - from > longest->second - longest->first) longest = {from, to};
+      }
+    ASSERT_EQ(found[0].sure_from.has_value(), longest.has_value()) << trial;
+    if (!longest) continue;
+    EXPECT_EQ(found[0].sure_from, time[longest->first]) << trial;
+    EXPECT_EQ(found[0].sure_to, time[longest->second]) << trial;
+  }
 }
 
 TEST(SlackWindows, CutByTheEndsOfTheSeriesSaySo) {
