@@ -54,7 +54,7 @@ document.body.append(canvas, box);
 const view = new SceneView(canvas, box);
 view.slice_up_m = -5;
 view.shows_wakes = true;
-const shown = { session, tracks: new Tracks(), chosen: 0 };
+const shown = { session, tracks: new Tracks(), chosen: 0, draft: null };
 view.see_all(session);
 view.eye.turn(0, 1);
 view.eye.closer(0.002); // so far away that all of it is in view

@@ -180,7 +180,7 @@ const plan_buttons = element(
     { 'aria-label': 'Farther' },
   ),
 );
-const scene = scene_panel(station, () => {
+const scene = scene_panel(station, way, () => {
   set_hidden(plan_buttons, scene.is_open()); // the scene has its own
   canvases_are_old = true;
 });
@@ -262,7 +262,7 @@ function draw(): void {
   if (!canvases_are_old || by_id('live').hidden) return;
   canvases_are_old = false;
   const { session, chosen } = station;
-  if (scene.is_open()) scene.draw({ session, tracks, chosen });
+  if (scene.is_open()) scene.draw({ session, tracks, chosen, draft: way.draft() });
   else plan.draw({ session, tracks, chosen, speed_unit: settings.speed_unit, draft: way.draft() });
   draw_depth(depth_canvas, { session, tracks, chosen, along });
   if (session.frame !== null) wire.drawn(session.frame.number);

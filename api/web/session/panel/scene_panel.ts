@@ -8,10 +8,13 @@ import { current_at, type Current } from '../session/currents';
 import type { Session } from '../session/state';
 import type { Station } from '../station';
 import { scene_people } from './scene_people';
+import { way_hand } from './way_hand';
+import type { WaypointEdit } from './waypoint_edit';
 
 const TURN_RAD_PER_PX = 0.006;
 const TURN_BY_KEY_RAD = 0.12;
 const CLOSER_BY_STEP = 1.15;
+const LIFT_BY_KEY_M = 0.5;
 
 export interface ScenePanel {
   readonly opener: HTMLButtonElement;
@@ -70,13 +73,18 @@ function show_words(list: HTMLElement, session: Session): void {
   lines.forEach((line, nth) => set_text(list.children[nth] as HTMLElement, line));
 }
 
-export function scene_panel(station: Station, on_change: () => void): ScenePanel {
+export function scene_panel(
+  station: Station,
+  way: WaypointEdit,
+  on_change: () => void,
+): ScenePanel {
   const canvas = element('canvas', {
     id: 'scene-canvas',
     tabindex: 0,
     role: 'application',
     'aria-label':
-      'The scene in depth. Arrow keys turn, plus and minus come closer. ' +
+      'The scene in depth. Arrow keys turn, plus and minus come closer, ' +
+      'page up and page down lift and lower the picked place of a way. ' +
       'The table of vehicles says the same in words.',
   });
   const labels = element('div', { class: 'scene-labels', 'aria-hidden': true });
@@ -176,6 +184,7 @@ export function scene_panel(station: Station, on_change: () => void): ScenePanel
     { 'aria-pressed': 'false' },
   );
 
+  const hand = way_hand(canvas, way);
   let from: { x: number; y: number } | null = null;
   const turn = (right_rad: number, up_rad: number): void => {
     view?.eye.turn(right_rad, up_rad);
@@ -185,16 +194,24 @@ export function scene_panel(station: Station, on_change: () => void): ScenePanel
     const { left, top, width, height } = canvas.getBoundingClientRect();
     const [right, down] = [(event.clientX - left) / width, (event.clientY - top) / height];
     if (people.press(view?.place_under(right, down) ?? null)) return on_change();
+    if (view !== null && hand.take(view.eye.camera, event)) {
+      canvas.setPointerCapture(event.pointerId);
+      return;
+    }
     from = { x: event.clientX, y: event.clientY };
     canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener('pointermove', (event) => {
+    if (view !== null && hand.move(view.eye.camera, event)) return;
     if (from === null) return;
     turn((event.clientX - from.x) * TURN_RAD_PER_PX, (event.clientY - from.y) * TURN_RAD_PER_PX);
     from = { x: event.clientX, y: event.clientY };
   });
   for (const end of ['pointerup', 'pointercancel'] as const)
-    canvas.addEventListener(end, () => (from = null));
+    canvas.addEventListener(end, () => {
+      from = null;
+      hand.let_go();
+    });
   const closer = (factor: number): void => {
     view?.eye.closer(factor);
     on_change();
@@ -215,6 +232,8 @@ export function scene_panel(station: Station, on_change: () => void): ScenePanel
       ArrowDown: () => turn(0, -TURN_BY_KEY_RAD),
       '+': () => closer(CLOSER_BY_STEP),
       '-': () => closer(1 / CLOSER_BY_STEP),
+      PageUp: () => hand.lift(LIFT_BY_KEY_M),
+      PageDown: () => hand.lift(-LIFT_BY_KEY_M),
     };
     const deed = by_key[event.key];
     if (deed === undefined || event.ctrlKey || event.metaKey || event.altKey) return;

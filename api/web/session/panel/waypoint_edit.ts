@@ -16,6 +16,10 @@ export interface WaypointEdit extends Panel, PlanHand {
   /** The verdict once more, on the plan, where the eyes are while dragging. */
   readonly plan_note: HTMLElement;
   draft(): PlanDrawing['draft'];
+  /** Takes hold of a place of the draft; nothing: lets go of all. */
+  pick(nth: number | null): void;
+  /** Brings the picked one to a height, down negative. */
+  lift(up_m: number): void;
   end(): void;
 }
 
@@ -86,7 +90,9 @@ export function waypoint_edit(
     element(
       'p',
       { class: 'note' },
-      'Click on the plan to place, drag to move. In the table all can be typed.',
+      'Click on the plan to place, drag to move; in the scene drag to move, ' +
+        'with Shift up and down. ' +
+        'In the table all can be typed.',
     ),
     element('div', { class: 'pair' }, depth_field, labelled('Their speed, m/s', speed)),
     element('label', { class: 'check' }, is_loop, 'Round and round'),
@@ -283,6 +289,16 @@ export function waypoint_edit(
       is_editing
         ? { places, picked, is_refused: verdict === 'refused', is_loop: is_loop.checked }
         : null,
+    pick: (nth) => {
+      picked = nth;
+      redraw();
+    },
+    lift: (up_m) => {
+      const it = picked === null ? undefined : places[picked];
+      if (it === undefined) return;
+      it.up_m = Math.round(up_m * 10) / 10;
+      changed();
+    },
     end,
     press: (_at, pixel) => {
       if (!is_editing) return false;

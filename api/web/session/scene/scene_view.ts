@@ -17,6 +17,7 @@ import { colours } from '../look/palette';
 import type { Pose } from '../session/frame';
 import type { Vehicle } from '../session/message';
 import type { Session } from '../session/state';
+import type { PlanDrawing } from '../view/plan_view';
 import type { Tracks } from '../view/tracks';
 import { seen_in_water_m } from './air_and_water';
 import { approaches_in, type Approach } from './approach';
@@ -30,11 +31,13 @@ import { camera_edges, home_mark, ring } from './marks';
 import { people_names, place_people } from './people_shown';
 import { structure_shape, vehicle_shape, vessel_shape } from './shapes';
 import { Surround } from './surround';
+import { draft_names, place_draft } from './way_shown';
 
 export interface Shown {
   session: Session;
   tracks: Tracks;
   chosen: number | null;
+  draft: PlanDrawing['draft']; // of a way under edit
 }
 
 const CURRENT_ARROW_M_PER_M_S = 4;
@@ -101,7 +104,7 @@ export class SceneView {
       : at_scene(at);
   }
 
-  draw({ session, tracks, chosen }: Shown): void {
+  draw({ session, tracks, chosen, draft }: Shown): void {
     const { clientWidth: wide, clientHeight: high } = this.canvas;
     if (wide < 2 || high < 2) return;
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
@@ -115,6 +118,7 @@ export class SceneView {
       this.eye.come_within(0.5 * seen_in_water_m(session.weather));
     this.chosen_before = chosen;
     this.eye.place(pose, pointing, vehicle?.length_m ?? 1);
+    place_draft(this.kept, draft, this.surround.bed_m, colours());
     this.place_things(session, tracks, chosen);
     this.place_farm(session);
     this.place_flow(session, pose ?? null);
@@ -122,7 +126,7 @@ export class SceneView {
     this.renderer.render(this.scene, this.eye.camera);
     const { camera } = this.eye;
     const names = names_in(session, chosen, camera.position, this.approaches);
-    names.push(...people_names(session));
+    names.push(...people_names(session), ...draft_names(draft));
     this.labels.show(names, camera, wide, high);
   }
 
