@@ -69,6 +69,34 @@ function turbine_names(session: Session, eye: Vector3): Name[] {
     });
 }
 
+export interface Spot {
+  right: number; // px, of its upper left corner
+  down: number;
+  wide: number;
+}
+
+const HIGH_PX = 24;
+const LOWER_AT_MOST = 6;
+
+/** Each below those before it that it would lie on, as far as that helps. */
+export function spread(spots: readonly Spot[]): Spot[] {
+  const placed: Spot[] = [];
+  for (const spot of spots) {
+    const free = { ...spot };
+    const on = (it: Spot): boolean =>
+      free.right < it.right + it.wide &&
+      it.right < free.right + free.wide &&
+      Math.abs(free.down - it.down) < HIGH_PX;
+    for (let i = 0; i < LOWER_AT_MOST && placed.some(on); i += 1) free.down += HIGH_PX;
+    placed.push(free);
+  }
+  return placed;
+}
+
+const LETTER_PX = 7.5;
+const EDGES_PX = 16;
+const RANK = { alarm: 0, chosen: 1, '': 2 };
+
 export class Labels {
   private readonly labels = new Map<string, HTMLElement>();
   constructor(private readonly box: HTMLElement) {}
@@ -81,20 +109,31 @@ export class Labels {
       this.labels.delete(key);
     }
     const at = new Vector3();
-    for (const name of names) {
-      let label = this.labels.get(name.key);
-      if (label === undefined) {
-        label = element('span', {});
-        this.labels.set(name.key, label);
-        this.box.append(label);
-      }
+    const ranked = [...names].sort((a, b) => RANK[a.tone] - RANK[b.tone]);
+    const seen = ranked.flatMap((name) => {
+      const label = this.label_of(name);
       at.copy(at_place(name.at)).project(camera);
-      set_hidden(label, !(at.z < 1 && Math.abs(at.x) < 1 && Math.abs(at.y) < 1));
+      const is_seen = at.z < 1 && Math.abs(at.x) < 1 && Math.abs(at.y) < 1;
+      set_hidden(label, !is_seen);
       set_text(label, name.text);
       label.className = `scene-label ${name.tone}`.trim();
       const right = Math.round(((at.x + 1) / 2) * wide);
       const down = Math.round(((1 - at.y) / 2) * high);
-      label.style.transform = `translate(${right}px, ${down}px)`;
+      const long = LETTER_PX * name.text.length + EDGES_PX;
+      return is_seen ? [{ label, spot: { right, down, wide: long } }] : [];
+    });
+    spread(seen.map((it) => it.spot)).forEach(({ right, down }, nth) => {
+      seen[nth]!.label.style.transform = `translate(${right}px, ${down}px)`;
+    });
+  }
+
+  private label_of(name: Name): HTMLElement {
+    let label = this.labels.get(name.key);
+    if (label === undefined) {
+      label = element('span', {});
+      this.labels.set(name.key, label);
+      this.box.append(label);
     }
+    return label;
   }
 }

@@ -6,7 +6,7 @@ import { Vector3 } from 'three';
 import { at_place, turned } from 'page/scene/axes';
 import { fading_per_m } from 'page/scene/air_and_water';
 import { Eye } from 'page/scene/eye';
-import { names_in } from 'page/scene/labels';
+import { names_in, spread } from 'page/scene/labels';
 import { camera_edges, ring } from 'page/scene/marks';
 import { vehicle_shape } from 'page/scene/shapes';
 import { read_vehicle } from 'page/session/message';
@@ -138,4 +138,24 @@ test('every kind has a shape of its size', () => {
     assert.ok(vehicle !== null);
     assert.ok(vehicle_shape(vehicle).children.length > 0, kind);
   }
+});
+
+test('names do not lie on each other, the first stays where it is', () => {
+  const spots = [
+    { right: 100, down: 50, wide: 80 },
+    { right: 150, down: 55, wide: 80 },
+    { right: 120, down: 60, wide: 80 },
+    { right: 300, down: 50, wide: 80 },
+  ];
+  const found = spread(spots);
+  assert.deepEqual(found[0], spots[0]);
+  assert.deepEqual(found[3], spots[3]);
+  for (const [i, a] of found.entries())
+    for (const b of found.slice(i + 1))
+      assert.ok(
+        a.right + a.wide <= b.right ||
+          b.right + b.wide <= a.right ||
+          Math.abs(a.down - b.down) >= 24,
+      );
+  assert.equal(spread(Array.from({ length: 20 }, () => spots[0]!)).length, 20);
 });
