@@ -49,7 +49,8 @@ endif()
 
 # The sources beside their packages, as tsc and esbuild look for them; frames from the schema.
 file(REMOVE_RECURSE ${ASSETS}/page ${ASSETS}/look)
-set(sources FILES_MATCHING PATTERN "*.ts" PATTERN "*.css" PATTERN "tsconfig.json")
+set(sources FILES_MATCHING PATTERN "*.ts" PATTERN "*.css" PATTERN "tsconfig.json"
+    PATTERN "lessons/*/*.json")
 file(COPY ${FROM}/ DESTINATION ${ASSETS}/page ${sources})
 file(COPY ${LOOK}/ DESTINATION ${ASSETS}/look ${sources})
 if(SCHEMA)

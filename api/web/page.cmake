@@ -25,7 +25,8 @@ function(slackwater_page target PAGE)
   if(NOT FLATC)
     set(FLATC "FLATC-NOTFOUND")
   endif()
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${from}/*.ts ${from}/*.css ${look}/*.ts ${look}/*.css)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${from}/*.ts ${from}/*.css
+       ${from}/lessons/*.json ${look}/*.ts ${look}/*.css)
   add_custom_command(
     OUTPUT ${SCRIPT} ${STYLE} ${DATA}
     COMMAND ${CMAKE_COMMAND} -DNPM=${NPM} -DFLATC=${FLATC} -DFROM=${from} -DLOOK=${look}

@@ -3,6 +3,7 @@ import { Driver, TICK_MS } from './drive/driver';
 import { PadReader } from './drive/gamepad';
 import { Keys, leaves_keys_alone, listen_to_keys } from './drive/keys';
 import { Stick } from './drive/stick';
+import { lessons } from './lessons/lesson';
 import { button, by_id, element, set_hidden } from '../look/element';
 import { notice } from './look/notice';
 import { use_palette } from './look/palette';
@@ -11,6 +12,7 @@ import { camera_panel } from './panel/camera_panel';
 import { drive_panel } from './panel/drive_panel';
 import { helm_panel, helm_words } from './panel/helm_panel';
 import { join_form } from './panel/join_form';
+import { lesson_panel } from './panel/lesson_panel';
 import { log_panel } from './panel/log_panel';
 import { orders_bar } from './panel/orders_bar';
 import { people_panel } from './panel/people_panel';
@@ -24,6 +26,7 @@ import { run_text, top_bar } from './panel/top_bar';
 import { vehicle_table } from './panel/vehicle_table';
 import { waypoint_edit } from './panel/waypoint_edit';
 import { led_text, weather_panel } from './panel/weather_panel';
+import { class_of_address, Idle } from './session/class_of_address';
 import { browser_means } from './session/browser_means';
 import { decode_frame } from './session/frame';
 import { guard_seat, keep_seat, seat_to_take_up } from './session/kept_seat';
@@ -99,6 +102,8 @@ const picture = picture_panel(station);
 const weather = weather_panel(station);
 const people = people_panel(station);
 const playback = playback_bar(station);
+const mode = class_of_address(location.search);
+const lesson = lesson_panel(station, lessons);
 const log = log_panel(station, (time_s) => playback.seek(time_s));
 const panels: Panel[] = [
   top,
@@ -115,6 +120,7 @@ const panels: Panel[] = [
   people,
   playback,
   log,
+  ...(mode.has_lessons ? [lesson] : []),
 ];
 
 const plan_canvas = by_id('plan') as HTMLCanvasElement;
@@ -202,6 +208,7 @@ by_id('top').append(top.box);
 by_id('join').append(join.box);
 by_id('chosen').append(helm.box, picture.box, state.box, drive.box);
 by_id('chosen').append(camera.box, way.box, supervise.box);
+if (mode.has_lessons) by_id('around').append(lesson.box);
 by_id('around').append(table.box, weather.box, people.box, log.box);
 by_id('playback').append(playback.box);
 by_id('orders').append(drive.touch_box, orders.box);
@@ -245,6 +252,14 @@ document.addEventListener('click', (event) => {
 const driver = new Driver(station, stick, keys, new PadReader(), drive, orders);
 setInterval(() => driver.tick(), TICK_MS);
 setInterval(show_panels, PANELS_EVERY_MS);
+if (mode.resets) {
+  const idle = new Idle(performance.now());
+  for (const touch of ['pointerdown', 'keydown', 'wheel'] as const)
+    addEventListener(touch, () => idle.touch(performance.now()));
+  setInterval(() => {
+    if (idle.is_over(performance.now())) lesson.reset();
+  }, 1000);
+}
 addEventListener('resize', () => (canvases_are_old = true));
 requestAnimationFrame(draw);
 

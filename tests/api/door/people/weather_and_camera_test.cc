@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <mutex>
 
 #include "api/door/people/farm_output.h"
@@ -181,6 +183,21 @@ TEST_F(LedSession, WhatNoWeatherIsIsRefusedWithWhatWouldDo) {
   const auto refused = arbiter->set_weather("dds 01", asked, arbiter->time_s());
   ASSERT_TRUE(refused);
   EXPECT_TRUE(contains(refused->text, "the supervisors"));
+}
+
+// What the lessons of the page ask to be done with the weather is taken.
+TEST_F(LedSession, DoesWhatItsLessonsAsk) {
+  const auto folder = source_folder() / "api" / "web" / "session" / "lessons" / "en";
+  std::size_t lessons = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    json weather = json::parse(std::ifstream(file.path())).at("task").at("weather");
+    weather["do"] = "weather";
+    weather["over_s"] = 1;
+    const json answer = sue.asks(weather);
+    EXPECT_EQ(answer["taken"], true) << file.path().filename() << ": " << answer;
+    ++lessons;
+  }
+  EXPECT_EQ(lessons, 5U);
 }
 
 TEST_F(LedSession, TheCameraIsTurnedByWhoeverHasTheHelm) {

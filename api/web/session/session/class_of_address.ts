@@ -1,0 +1,33 @@
+// Education mode, by the page's address: `?class` shows lessons, `?kiosk` goes back to the
+// beginning when nobody has touched anything for a while.
+export interface ClassMode {
+  has_lessons: boolean;
+  resets: boolean;
+}
+
+export function class_of_address(search: string): ClassMode {
+  const asked = new URLSearchParams(search);
+  const resets = asked.has('kiosk');
+  return { has_lessons: resets || asked.has('class'), resets };
+}
+
+export const KIOSK_WAITS_MS = 120_000;
+
+/** Calls back once nothing was touched for so long; again only after it was touched. */
+export class Idle {
+  private touched_ms: number;
+  private is_told = true; // nothing to go back from yet
+  constructor(now_ms: number) {
+    this.touched_ms = now_ms;
+  }
+  touch(now_ms: number): void {
+    this.touched_ms = now_ms;
+    this.is_told = false;
+  }
+  /** True once, when it is time to go back. */
+  is_over(now_ms: number): boolean {
+    if (this.is_told || now_ms - this.touched_ms < KIOSK_WAITS_MS) return false;
+    this.is_told = true;
+    return true;
+  }
+}

@@ -1,0 +1,63 @@
+// The lessons: whole, and right where they state a number; the kiosk goes back when left alone.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { fault_of, lessons, type Lesson } from 'page/lessons/lesson';
+import { class_of_address, Idle, KIOSK_WAITS_MS } from 'page/session/class_of_address';
+
+const titled = (title: string): Lesson => {
+  const found = lessons.find((it) => it.title.startsWith(title));
+  assert.ok(found !== undefined, title);
+  return found;
+};
+const near = (found: number, expected: number, within: number): void =>
+  assert.ok(Math.abs(found - expected) <= within, `${found} is not ${expected}`);
+
+test('every lesson is whole, and its right answer is not always at one place', () => {
+  assert.equal(lessons.length, 5);
+  for (const lesson of lessons) assert.equal(fault_of(lesson), '', lesson.title);
+  assert.ok(new Set(lessons.map((it) => it.question.right)).size > 1);
+});
+
+test('what is wrong with a lesson is said', () => {
+  const good = titled('Slack');
+  assert.match(fault_of({ ...good, title: ' ' }), /empty/);
+  assert.match(fault_of({ ...good, question: { ...good.question, right: 3 } }), /none of them/);
+  assert.match(fault_of({ ...good, task: { ...good.task, weather: {} } }), /nothing to do/);
+  const strange = ['depth'] as unknown as Lesson['task']['watch'];
+  assert.match(fault_of({ ...good, task: { ...good.task, watch: strange } }), /depth/);
+});
+
+test('the numbers of the lessons are right', () => {
+  const tide_h = 12.42;
+  // Below a quarter of the strongest: twice arcsin(1/4) of a turn.
+  near(((2 * Math.asin(0.25)) / (2 * Math.PI)) * tide_h, 1, 0.05);
+  assert.match(titled('Slack').question.choices[titled('Slack').question.right]!, /1 hour/);
+  // Slack comes 24 h 50 min later each day.
+  const later_h = 2 * (2 * tide_h - 24);
+  near(later_h, 1 + 40 / 60, 0.02);
+  near(Math.sin((2 * Math.PI * later_h) / tide_h), 0.75, 0.02);
+  assert.match(titled('Yesterday').question.because, /three quarters/);
+  // Power by the cube, of the current through water and of the wind.
+  assert.match(titled('Battery').question.choices[titled('Battery').question.right]!, /eight/);
+  near((9 / 8) ** 3, 1.42, 0.005);
+  assert.match(titled('How sure').question.because, /1\.42/);
+  // Contrast left at twice the visibility of a black disc: exp(-2 x 4.8).
+  assert.ok(Math.exp(-2 * 4.8) < 1e-4);
+});
+
+test('lessons are shown where they are asked for', () => {
+  assert.deepEqual(class_of_address(''), { has_lessons: false, resets: false });
+  assert.deepEqual(class_of_address('?session=a&class'), { has_lessons: true, resets: false });
+  assert.deepEqual(class_of_address('?kiosk'), { has_lessons: true, resets: true });
+});
+
+test('a kiosk goes back once, when nobody has touched it for a while', () => {
+  const idle = new Idle(0);
+  assert.equal(idle.is_over(10 * KIOSK_WAITS_MS), false, 'nobody was there');
+  idle.touch(1000);
+  assert.equal(idle.is_over(999 + KIOSK_WAITS_MS), false);
+  assert.equal(idle.is_over(1000 + KIOSK_WAITS_MS), true);
+  assert.equal(idle.is_over(2000 + KIOSK_WAITS_MS), false, 'once');
+  idle.touch(3000 + KIOSK_WAITS_MS);
+  assert.equal(idle.is_over(3000 + 2 * KIOSK_WAITS_MS), true);
+});
