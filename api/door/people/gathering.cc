@@ -37,6 +37,7 @@ std::string words_at(const Note& note) {
 }  // namespace
 
 void Gathering::look(const Seat& seat, const StationSays& says) {
+  if (!says.object_if("from")) return gone(seat.number);
   Look look{place_in(says, "from"), says.number("heading_deg", -360, 360),
             says.number("tilt_deg", -90, 90), std::nullopt};
   if (says.object_if("point")) look.point = place_in(says, "point");

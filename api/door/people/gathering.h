@@ -37,7 +37,8 @@ class Gathering {
  public:
   static constexpr std::size_t most_notes = 100;
 
-  /// `look`: for all roles. It leaves no row in the record.
+  /// `look`: for all roles; without a place, somebody is not there any more. It leaves no row in
+  /// the record.
   /// @throws Error(invalid_input) for a message that cannot be read; so do the others
   void look(const Seat& seat, const StationSays& says);
   /// Whether a message is one of those below.

@@ -4,9 +4,9 @@ import { SceneView, type Shown } from '../scene/scene_view';
 import { approaches_in } from '../scene/approach';
 import type { Stand } from '../scene/eye';
 import { scene_in_words } from '../scene/in_words';
-import { current_at, type Current } from '../session/currents';
 import type { Session } from '../session/state';
 import type { Station } from '../station';
+import { current_tools } from './current_tools';
 import { scene_people } from './scene_people';
 import { way_hand } from './way_hand';
 import type { WaypointEdit } from './waypoint_edit';
@@ -21,49 +21,6 @@ export interface ScenePanel {
   is_open(): boolean;
   /** Draws, if it is open. */
   draw(shown: Shown): void;
-}
-
-interface CurrentTools {
-  nodes: HTMLElement[];
-  show(currents: readonly Current[]): void;
-}
-
-/** A slice of the current: whether, and how deep. */
-function current_tools(on_change: (up_m: number | null) => void): CurrentTools {
-  let is_on = false;
-  const value = element('output', {});
-  const depth = element('input', {
-    type: 'range',
-    min: 0,
-    max: 40,
-    step: 0.5,
-    value: 5,
-    'aria-label': 'How deep the slice of the current is, in metres',
-    hidden: true,
-  });
-  const changed = (): void => on_change(is_on ? -depth.valueAsNumber : null);
-  depth.addEventListener('input', changed);
-  const toggle = button(
-    'Current',
-    () => {
-      is_on = !is_on;
-      toggle.setAttribute('aria-pressed', String(is_on));
-      changed();
-    },
-    { 'aria-pressed': 'false' },
-  );
-  return {
-    nodes: [toggle, depth, value],
-    show: (currents) => {
-      set_hidden(toggle, currents.length < 2);
-      set_hidden(depth, !is_on || currents.length < 2);
-      const deepest_m = Math.floor(-(currents.at(-1)?.up_m ?? -40));
-      if (depth.max !== String(deepest_m)) depth.max = String(deepest_m);
-      const at = current_at(currents, -depth.valueAsNumber);
-      const speed = at === null ? '' : `: ${Math.hypot(at.east_m_s, at.north_m_s).toFixed(2)} m/s`;
-      set_text(value, is_on ? `${depth.valueAsNumber} m deep${speed}` : '');
-    },
-  };
 }
 
 function show_words(list: HTMLElement, session: Session): void {
@@ -178,7 +135,8 @@ export function scene_panel(
     () => {
       set_hidden(box, !box.hidden);
       opener.setAttribute('aria-pressed', String(!box.hidden));
-      if (!box.hidden) open();
+      if (box.hidden) people.go();
+      else open();
       on_change();
     },
     { 'aria-pressed': 'false' },

@@ -16,6 +16,8 @@ export interface ScenePeople {
   readonly notes: HTMLElement;
   /** A place of the scene was pressed. True: it is pointed at. */
   press(at: Point | null): boolean;
+  /** The scene was closed: the others see nobody there any more. */
+  go(): void;
   /** Tells the others, if something changed. */
   tell(view: SceneView): void;
   show(): void;
@@ -67,6 +69,10 @@ export function scene_people(station: Station): ScenePeople {
       point = at;
       pointed_ms = performance.now();
       return true;
+    },
+    go: () => {
+      if (told !== '') station.wire.send({ do: 'look' });
+      told = '';
     },
     tell: (view) => {
       const now_ms = performance.now();

@@ -121,6 +121,8 @@ TEST_F(Gathered, WhereSomebodyLooksIsToldUntilHeGoes) {
                             {"point", {{"east_m", 4.0}, {"north_m", 5.0}, {"up_m", -6.0}}}}));
   gathering.gone(4);
   EXPECT_EQ(gathering.looks_json().size(), 1U);
+  gathering.look(ann, StationSays(R"({"do": "look"})"));
+  EXPECT_TRUE(gathering.looks_json().empty()) << "closed the scene";
 }
 
 TEST_F(Gathered, AnAlarmIsSeenToOnceUntilItIsOver) {
