@@ -80,7 +80,7 @@ Said Gathering::unnote(const Seat& seat, const StationSays& says) {
   if (found->seat != seat.number && seat.role != Role::supervises)
     return refused(
         twin::RefusalReason::unauthorised,
-        formatted("note {} is of {}: he or a supervisor takes it away", number, found->who));
+        formatted("note {} is of {}, who takes it away, or a supervisor", number, found->who));
   Said said;
   said.before = words_at(*found);
   notes_.erase(found);

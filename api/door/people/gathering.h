@@ -44,9 +44,9 @@ class Gathering {
   /// Whether a message is one of those below.
   [[nodiscard]] static bool knows(const std::string& what) noexcept;
   /// `note`, `unnote`, `acknowledge`: for operators and supervisors. An operator takes away only
-  /// his own notes.
+  /// notes of the same seat.
   [[nodiscard]] Said handle(const Seat& seat, const StationSays& says, const RunNow& run);
-  /// Forgets where somebody looks who is not there any more. His notes stay.
+  /// Forgets where somebody looks who is not there any more. The notes stay.
   void gone(unsigned seat) { looks_.erase(seat); }
   /// Writes into the alarms who has seen to them; forgets it of those that are over.
   void mind(RunNow& run);

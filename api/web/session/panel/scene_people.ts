@@ -1,5 +1,5 @@
-// Who looks at the scene is seen there by the others: where he is, where he looks and what he
-// points at; and he puts notes at places.
+// Who looks at the scene is seen there by the others: from where, to where, and what is pointed
+// at. And notes are put at places.
 import { button, element, set_hidden, set_text } from '../../look/element';
 import type { SceneView } from '../scene/scene_view';
 import { look_along } from '../scene/people_shown';

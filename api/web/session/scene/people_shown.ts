@@ -1,4 +1,4 @@
-// Other people in the scene: where each stands and looks, what he points at, and notes at places.
+// Other people in the scene: where each stands and looks, what is pointed at, notes at places.
 import { ConeGeometry, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from 'three';
 import type { Colours } from '../look/palette';
 import type { Look } from '../session/gathering';
@@ -35,7 +35,7 @@ export function place_people(
   { accent, amber }: Pick<Colours, 'accent' | 'amber'>,
 ): void {
   for (const look of session.looks) {
-    if (look.seat === session.seat) continue; // nobody sees himself
+    if (look.seat === session.seat) continue; // nobody sees their own head
     const head = kept.of(`head ${look.seat}`, () => {
       const cone = new ConeGeometry(0.6 * HEAD_M, 2 * HEAD_M, 10);
       cone.rotateX(-Math.PI / 2);

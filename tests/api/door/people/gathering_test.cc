@@ -72,7 +72,7 @@ TEST_F(Gathered, NotesAreToldAndTakenAwayByTheirOwnersAndSupervisors) {
                    {"at", {{"east_m", 5.0}, {"north_m", 2.0}, {"up_m", -12.5}}}}}));
   const Said others = says(bob, {{"do", "unnote"}, {"note", 1}});
   ASSERT_TRUE(others.refused);
-  EXPECT_EQ(others.refused->text, "note 1 is of Ann: he or a supervisor takes it away");
+  EXPECT_EQ(others.refused->text, "note 1 is of Ann, who takes it away, or a supervisor");
   EXPECT_FALSE(says(sue, {{"do", "unnote"}, {"note", 1}}).refused);
   EXPECT_FALSE(says(bob, {{"do", "unnote"}, {"note", 2}}).refused);
   EXPECT_TRUE(gathering.notes_json().empty());
