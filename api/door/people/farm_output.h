@@ -13,8 +13,8 @@ inline constexpr std::array behind_diameters{2.0, 5.0, 10.0};
 /// What one turbine makes, and leaves.
 struct TurbineNow {
   double power_w = 0;
-  double wind_m_s = 0;     ///< over its rotor
-  double turns_rad_s = 0;  ///< as the renders have it (turning_rotor.h)
+  double wind_m_s = 0;           ///< over its rotor
+  double rotor_speed_rad_s = 0;  ///< as the renders have it (turning_rotor.h)
   std::array<double, behind_diameters.size()> wind_left{};  ///< share of the free wind, hub height
 };
 

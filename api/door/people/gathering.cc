@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/door/people/told.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -13,25 +14,17 @@ using nlohmann::json;
 
 constexpr std::size_t longest_note = 200;
 
-PlaceOfRun place_in(const StationSays& says, std::string_view key) {
+twin::Triple<double> place_in(const StationSays& says, std::string_view key) {
   const auto at = says.object_if(key);
   if (!at)
     throw Error(ErrorKind::invalid_input,
                 formatted("{}: found no {}, expected {{east_m, north_m, up_m}}", says.what(), key));
-  return {at->number("east_m", -farthest_m, farthest_m),
-          at->number("north_m", -farthest_m, farthest_m),
-          at->number("up_m", -farthest_m, farthest_m)};
-}
-
-json place_json(const PlaceOfRun& at) {
-  const auto rounded = [](double value_m) { return std::round(100 * value_m) / 100 + 0.0; };
-  return {
-      {"east_m", rounded(at.east_m)}, {"north_m", rounded(at.north_m)}, {"up_m", rounded(at.up_m)}};
+  return place_of(*at);
 }
 
 std::string words_at(const Note& note) {
-  return formatted("{} at {:.1f} m east, {:.1f} m north, {:.1f} m up", note.text, note.at.east_m,
-                   note.at.north_m, note.at.up_m);
+  return formatted("{} at {:.1f} m east, {:.1f} m north, {:.1f} m up", note.text, note.at_m.y,
+                   note.at_m.x, -note.at_m.z);
 }
 
 }  // namespace
@@ -40,7 +33,7 @@ void Gathering::look(const Seat& seat, const StationSays& says) {
   if (!says.object_if("from")) return gone(seat.number);
   Look look{place_in(says, "from"), says.number("heading_deg", -360, 360),
             says.number("tilt_deg", -90, 90), std::nullopt};
-  if (says.object_if("point")) look.point = place_in(says, "point");
+  if (says.object_if("point")) look.pointed_m = place_in(says, "point");
   looks_[seat.number] = look;
 }
 
@@ -100,7 +93,8 @@ Said Gathering::acknowledge(const Seat& seat, const StationSays& says, const Run
         formatted("found no alarm of vehicle {} about {}; it may be over", vehicle, mmsi));
   const auto [row, is_new] = acknowledged_by_.try_emplace({vehicle, mmsi}, seat.name);
   if (!is_new)
-    return refused(twin::RefusalReason::out_of_range, row->second + " has seen to it already");
+    return refused(twin::RefusalReason::out_of_range,
+                   formatted("found it acknowledged by {}; nothing is left to do", row->second));
   Said said;
   if (run.agents != nullptr) said.vehicle = run.agents[vehicle].name;
   said.after = standing->name.empty() ? formatted("MMSI {}", mmsi) : standing->name;
@@ -123,10 +117,10 @@ json Gathering::looks_json() const {
   json looks = json::array();
   for (const auto& [seat, look] : looks_)
     looks.push_back({{"seat", seat},
-                     {"from", place_json(look.from)},
+                     {"from", place_json(look.from_m)},
                      {"heading_deg", std::round(look.heading_deg)},
                      {"tilt_deg", std::round(look.tilt_deg)},
-                     {"point", look.point ? place_json(*look.point) : json(nullptr)}});
+                     {"point", look.pointed_m ? place_json(*look.pointed_m) : json(nullptr)}});
   return looks;
 }
 
@@ -137,7 +131,7 @@ json Gathering::notes_json() const {
                      {"seat", note.seat},
                      {"who", note.who},
                      {"text", note.text},
-                     {"at", place_json(note.at)}});
+                     {"at", place_json(note.at_m)}});
   return notes;
 }
 

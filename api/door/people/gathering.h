@@ -10,17 +10,12 @@
 
 namespace slackwater::people {
 
-/// A place of the run, told and kept in its own axes. m
-struct PlaceOfRun {
-  double east_m = 0, north_m = 0, up_m = 0;
-};
-
 /// Where a person is in the scene, and looks to.
 struct Look {
-  PlaceOfRun from;
-  double heading_deg = 0;           ///< clockwise from north
-  double tilt_deg = 0;              ///< up
-  std::optional<PlaceOfRun> point;  ///< what is pointed at
+  twin::Triple<double> from_m;                    ///< NED
+  double heading_deg = 0;                         ///< clockwise from north
+  double tilt_deg = 0;                            ///< up
+  std::optional<twin::Triple<double>> pointed_m;  ///< NED, what is pointed at
 };
 
 /// Words that somebody has put at a place.
@@ -28,7 +23,7 @@ struct Note {
   unsigned number = 0;  ///< from 1, never used twice
   unsigned seat = 0;
   std::string who, text;
-  PlaceOfRun at;
+  twin::Triple<double> at_m;  ///< NED
 };
 
 /// What people of a session show each other beside the run: where they look, notes at places, and

@@ -47,18 +47,18 @@ std::string words_of(const twin::WeatherAsked& asked) {
   return words.empty() ? "as the run has it" : joined(words, ", ");
 }
 
-twin::Triple<double> place_of(const StationSays& says) {
-  return {says.number("north_m", -farthest_m, farthest_m),
-          says.number("east_m", -farthest_m, farthest_m),
-          -says.number("up_m", -farthest_m, farthest_m)};
-}
-
 }  // namespace
 
 Said refused(RefusalReason reason, std::string text) {
   Said said;
   said.refused = Refusal{reason, std::move(text)};
   return said;
+}
+
+twin::Triple<double> place_of(const StationSays& says) {
+  return {says.number("north_m", -farthest_m, farthest_m),
+          says.number("east_m", -farthest_m, farthest_m),
+          -says.number("up_m", -farthest_m, farthest_m)};
 }
 
 RunDesk::RunDesk(const api::RunInHand& hand) : hand_(hand), helms_(hand.arbiter) {

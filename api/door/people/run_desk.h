@@ -28,6 +28,9 @@ struct Said {
 /// From the origin: places farther off are taken for mistakes.
 inline constexpr double farthest_m = 1e6;
 
+/// `east_m`, `north_m`, `up_m` of an object, as NED. @throws Error(invalid_input)
+[[nodiscard]] twin::Triple<double> place_of(const StationSays& says);
+
 /// What a seat asks, and what there is to see as it does.
 struct Asked {
   const Seat& seat;

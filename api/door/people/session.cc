@@ -78,6 +78,7 @@ void Session::begin(const api::RunInHand& hand) {
         {"step_s", hand.run.step_s()},
         {"start", format_utc(hand.start)},
         {"origin", {{"lat", hand.origin.latitude_deg()}, {"lon", hand.origin.longitude_deg()}}},
+        {"water", water_json(hand.water)},
         {"structures", structures},
         {"turbines", turbines_json(hand.environment->turbines)},
         {"sea", sea_json(hand.environment->sea.get())}};

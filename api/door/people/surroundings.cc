@@ -92,6 +92,8 @@ Surroundings surroundings_of(const api::RunInHand& hand) {
   const double t_s = hand.run.time_s();
   look_at_weather(*hand.run.agents().front().water, t_s, around);
   look_at_traffic(hand, t_s, around);
+  const auto since = Duration(static_cast<Duration::rep>(1000 * t_s));
+  around.sun = twin::sun_position(hand.origin, hand.start + since);
   return around;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "api/ask/run/scenario_run.h"
+#include "twin/risk/workability/sun_position.h"
 #include "twin/traffic/traffic_picture.h"
 
 namespace slackwater::people {
@@ -32,10 +33,11 @@ struct Surroundings {
   std::optional<Horizontal> current_m_s;                   ///< towards, at the surface
   std::vector<CurrentAtDepth> currents;                    ///< from the surface to the bed
   std::optional<double> visibility_m, water_visibility_m;  ///< where somebody says so
-  twin::WeatherAsked asked;                                ///< what is led
-  double settled_s = 0;                                    ///< of the run: when it is as asked
-  std::vector<VesselNow> vessels;                          ///< nearest first
-  std::size_t vessels_left_out = 0;                        ///< farther ones
+  twin::SunPosition sun;
+  twin::WeatherAsked asked;          ///< what is led
+  double settled_s = 0;              ///< of the run: when it is as asked
+  std::vector<VesselNow> vessels;    ///< nearest first
+  std::size_t vessels_left_out = 0;  ///< farther ones
 };
 
 /// Looks round. On the thread of the run, at a barrier; costs microseconds, and a copy of each

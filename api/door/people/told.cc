@@ -18,10 +18,6 @@ json or_null(const std::optional<Value>& value) {
   return value ? json(*value) : json(nullptr);
 }
 
-json place_json(const twin::Triple<double>& ned_m) {
-  return {{"east_m", ned_m.y}, {"north_m", ned_m.x}, {"up_m", -ned_m.z}};
-}
-
 /// So that what hardly changes is not told again.
 json rounded(double value, double to) {
   return std::isfinite(value) ? json(std::round(value / to) * to + 0.0) : json(nullptr);
@@ -31,7 +27,27 @@ json degrees(double angle_rad) { return rounded(angle_rad / constants::degree, 0
 
 json seat_or_null(unsigned seat) { return seat == 0 ? json(nullptr) : json(seat); }
 
+json farm_json(const FarmNow& farm) {
+  json each = json::array();
+  for (const TurbineNow& turbine : farm.turbines) {
+    json wind_left = json::array();
+    for (const double share : turbine.wind_left) wind_left.push_back(rounded(share, 1e-3));
+    each.push_back({{"power_w", rounded(turbine.power_w, 1e4)},
+                    {"wind_m_s", rounded(turbine.wind_m_s, 0.01)},
+                    {"rotor_speed_rad_s", rounded(turbine.rotor_speed_rad_s, 1e-3)},
+                    {"wind_left", wind_left}});
+  }
+  return {{"power_w", rounded(farm.power_w, 1e4)},
+          {"rated_w", farm.rated_w},
+          {"turbines", farm.turbines.size()},
+          {"each", each}};
+}
+
 }  // namespace
+
+json place_json(const twin::Triple<double>& ned_m) {
+  return {{"east_m", ned_m.y}, {"north_m", ned_m.x}, {"up_m", -ned_m.z}};
+}
 
 std::string text_of(const json& json) {
   return json.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -103,6 +119,11 @@ json sea_json(const SeaRealisation* sea) {
   return {{"depth_m", sea->water().depth_m}, {"waves", waves}};
 }
 
+json water_json(const api::ScenarioWater& water) {
+  const bool is_made_up = water.forecast_sha256.empty();
+  return {{"forecast", is_made_up ? json(nullptr) : json(water.forecast_name)}};
+}
+
 json turbines_json(const std::optional<twin::StandingTurbines>& turbines) {
   if (!turbines) return nullptr;
   json places = json::array();
@@ -137,22 +158,6 @@ json traffic_json(const Surroundings& around) {
   return {{"is", "traffic"}, {"vessels", vessels}, {"left_out", around.vessels_left_out}};
 }
 
-json farm_json(const FarmNow& farm) {
-  json each = json::array();
-  for (const TurbineNow& turbine : farm.turbines) {
-    json wind_left = json::array();
-    for (const double share : turbine.wind_left) wind_left.push_back(rounded(share, 1e-3));
-    each.push_back({{"power_w", rounded(turbine.power_w, 1e4)},
-                    {"wind_m_s", rounded(turbine.wind_m_s, 0.01)},
-                    {"turns_rad_s", rounded(turbine.turns_rad_s, 1e-3)},
-                    {"wind_left", wind_left}});
-  }
-  return {{"power_w", rounded(farm.power_w, 1e4)},
-          {"rated_w", farm.rated_w},
-          {"turbines", farm.turbines.size()},
-          {"each", each}};
-}
-
 json weather_json(const Surroundings& around, double time_s, const std::optional<FarmNow>& farm,
                   const std::string& led_by) {
   json told{{"is", "weather"}};
@@ -182,6 +187,8 @@ json weather_json(const Surroundings& around, double time_s, const std::optional
   told["led"] = led;
   told["led_by"] = led.empty() || led_by.empty() ? json(nullptr) : json(led_by);
   told["settles_in_s"] = std::max(0.0, std::ceil(around.settled_s - time_s));
+  told["sun"] = {{"elevation_deg", rounded(around.sun.elevation_deg, 0.1)},
+                 {"azimuth_deg", rounded(around.sun.azimuth_deg, 0.1)}};
   told["currents"] = json::array();
   for (const CurrentAtDepth& at : around.currents)
     told["currents"].push_back({rounded(-at.depth_m, 0.01), rounded(at.towards_m_s.real(), 1e-3),

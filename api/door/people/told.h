@@ -11,6 +11,7 @@ namespace slackwater::people {
 
 // What stations are told in JSON; api/docs/session_wire.md has its table.
 
+[[nodiscard]] nlohmann::json place_json(const twin::Triple<double>& ned_m);
 [[nodiscard]] nlohmann::json seat_json(const Seat& seat);
 [[nodiscard]] nlohmann::json vehicle_json(const twin::Agent& agent, std::size_t place,
                                           const VehicleNow& now);
@@ -20,12 +21,13 @@ using api::action_json;
 /// The waves of a run: [a m, k east, k north rad/m, omega rad/s, phase rad] each, so that a station
 /// has the surface as the vehicles do. Null: a calm sea.
 [[nodiscard]] nlohmann::json sea_json(const SeaRealisation* sea);
+/// What wind, waves and current of a run are of: {forecast}, its name; null where they are made up.
+[[nodiscard]] nlohmann::json water_json(const api::ScenarioWater& water);
 /// Where the turbines of a site stand. Null: it has none.
 [[nodiscard]] nlohmann::json turbines_json(const std::optional<twin::StandingTurbines>& turbines);
 /// A tether as it hangs: [east, north, up m] each node.
 [[nodiscard]] nlohmann::json line_json(std::size_t vehicle, const VehicleNow& now);
 [[nodiscard]] nlohmann::json traffic_json(const Surroundings& around);
-[[nodiscard]] nlohmann::json farm_json(const FarmNow& farm);
 /// @param led_by  who leads it; empty: nobody
 [[nodiscard]] nlohmann::json weather_json(const Surroundings& around, double time_s,
                                           const std::optional<FarmNow>& farm,

@@ -106,7 +106,7 @@ TEST_F(Gathered, WhatCannotBeReadIsRefusedAndChangesNothing) {
 }
 
 TEST_F(Gathered, WhereSomebodyLooksIsToldUntilHeGoes) {
-  gathering.look(gus, StationSays(R"({"do": "look", "from": {"east_m": 1.234, "north_m": 2,
+  gathering.look(gus, StationSays(R"({"do": "look", "from": {"east_m": 1.25, "north_m": 2,
     "up_m": 3}, "heading_deg": 90.4, "tilt_deg": -10, "point": {"east_m": 4, "north_m": 5,
     "up_m": -6}})"));
   gathering.look(ann, StationSays(R"({"do": "look", "from": {"east_m": 0, "north_m": 0, "up_m": 0},
@@ -115,7 +115,7 @@ TEST_F(Gathered, WhereSomebodyLooksIsToldUntilHeGoes) {
   ASSERT_EQ(looks.size(), 2U);
   EXPECT_TRUE(looks[0]["point"].is_null());
   EXPECT_EQ(looks[1], json({{"seat", 4},
-                            {"from", {{"east_m", 1.23}, {"north_m", 2.0}, {"up_m", 3.0}}},
+                            {"from", {{"east_m", 1.25}, {"north_m", 2.0}, {"up_m", 3.0}}},
                             {"heading_deg", 90},
                             {"tilt_deg", -10},
                             {"point", {{"east_m", 4.0}, {"north_m", 5.0}, {"up_m", -6.0}}}}));
@@ -135,7 +135,7 @@ TEST_F(Gathered, AnAlarmIsSeenToOnceUntilItIsOver) {
   EXPECT_EQ(run.vehicles[1].alarms[0].acknowledged_by, "Ann");
   const Said again = says(bob, acknowledge);
   ASSERT_TRUE(again.refused);
-  EXPECT_EQ(again.refused->text, "Ann has seen to it already");
+  EXPECT_EQ(again.refused->text, "found it acknowledged by Ann; nothing is left to do");
   // The vessel goes, and comes back: somebody has to see to it anew.
   people::RunNow calm;
   calm.vehicles.resize(2);
