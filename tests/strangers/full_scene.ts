@@ -41,7 +41,7 @@ session.weather = read_weather({
     [-30, 0, 0.2],
   ],
   farm: {
-    each: session.structures.map(() => ({ turns_rad_s: 1, wind_left: [0.5, 0.7, 0.9] })),
+    each: session.structures.map(() => ({ rotor_speed_rad_s: 1, wind_left: [0.5, 0.7, 0.9] })),
   },
 });
 const at_first = { number: 1, step: 1, time_s: 0, clock_ms: 0, left_out: 0, poses: [] };

@@ -9,13 +9,13 @@ const browser = await require("puppeteer-core").launch({
   executablePath: process.env.SLACKWATER_BROWSER,
   args: ["--no-sandbox", "--disable-dev-shm-usage"],
 });
-const noon = { start: "2026-06-21T11:00:00Z", seen_m: 8, slice_up_m: null, palette: "day" };
+const noon = { sun: { elevation_deg: 59, azimuth_deg: 164 }, seen_m: 8, slice_up_m: null, palette: "day" };
 const stills = {
   day: { ...noon, chosen: 1, turn: [0.3, -0.1], closer: 0.25 },
-  dusk: { ...noon, start: "2026-06-21T19:50:00Z", chosen: 1, turn: [-1.6, -0.12], closer: 0.02 },
+  dusk: { ...noon, sun: { elevation_deg: 0, azimuth_deg: 313 }, chosen: 1, turn: [-1.6, -0.12], closer: 0.02 },
   under_water: { ...noon, chosen: 0, turn: [0.9, -0.1], closer: 1.5, seen_m: 15, slice_up_m: -12 },
   turbid: { ...noon, chosen: 0, turn: [0.9, -0.1], closer: 1, seen_m: 3 },
-  night: { ...noon, start: "2026-06-21T23:00:00Z", chosen: 1, turn: [0.3, -0.05], closer: 0.15, palette: "night" },
+  night: { ...noon, sun: { elevation_deg: -12, azimuth_deg: 353 }, chosen: 1, turn: [0.3, -0.05], closer: 0.15, palette: "night" },
 };
 for (const [name, choice] of Object.entries(stills)) {
   const page = await browser.newPage();

@@ -8,7 +8,7 @@ import { pose_with } from './pose_for_tests';
 import { made_up_sea } from './made_up_waves';
 
 interface Choice {
-  start: string;
+  sun: { elevation_deg: number; azimuth_deg: number };
   chosen: number;
   turn: [number, number];
   closer: number;
@@ -24,8 +24,6 @@ const nine = Array.from({ length: 9 }, (_, i) => [900 * (i % 3), 900 * Math.floo
 const along_line = Array.from({ length: 17 }, (_, i) => i / 16);
 tell(session, {
   is: 'welcome',
-  start: choice.start,
-  origin: { lat: 54, lon: 6.5 },
   sea: {
     depth_m: 30,
     waves: made_up_sea.waves.map((it) => [
@@ -73,6 +71,7 @@ tell(session, {
     },
   ],
   weather: {
+    sun: choice.sun,
     wind_m_s: 8,
     hub_wind_m_s: 10,
     hub_wind_from_deg: 240,
@@ -87,7 +86,7 @@ tell(session, {
       each: nine.map((_, i) => ({
         power_w: 3.1e6 - 2e5 * i,
         wind_m_s: 9,
-        turns_rad_s: 1.1,
+        rotor_speed_rad_s: 1.1,
         wind_left: [0.45, 0.65, 0.8],
       })),
     },

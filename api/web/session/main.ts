@@ -26,7 +26,8 @@ import { run_text, top_bar } from './panel/top_bar';
 import { vehicle_table } from './panel/vehicle_table';
 import { waypoint_edit } from './panel/waypoint_edit';
 import { led_text, weather_panel } from './panel/weather_panel';
-import { class_of_address, Idle } from './session/class_of_address';
+import { class_of_address } from './session/class_of_address';
+import { Idle } from './session/idle';
 import { browser_means } from './session/browser_means';
 import { decode_frame } from './session/frame';
 import { guard_seat, keep_seat, seat_to_take_up } from './session/kept_seat';
@@ -257,7 +258,8 @@ if (mode.resets) {
   for (const touch of ['pointerdown', 'keydown', 'wheel'] as const)
     addEventListener(touch, () => idle.touch(performance.now()));
   setInterval(() => {
-    if (idle.is_over(performance.now())) lesson.reset();
+    const now_ms = performance.now();
+    if (idle.is_over(now_ms) && !lesson.reset()) idle.touch(now_ms); // again a while later
   }, 1000);
 }
 addEventListener('resize', () => (canvases_are_old = true));

@@ -20,8 +20,11 @@ const NAMES: Record<Watched, string> = {
 };
 
 export interface LessonPanel extends Panel {
-  /** Back to the beginning, the weather as the run has it by itself. */
-  reset(): void;
+  /**
+   * Back to the beginning, the weather as the run has it by itself. False: that could not be said,
+   * and the weather is as it was.
+   */
+  reset(): boolean;
 }
 
 export function watched_text(station: Station, what: Watched): string {
@@ -85,10 +88,11 @@ export function lesson_panel(station: Station, lessons: readonly Lesson[]): Less
       ),
     );
   };
-  const reset = (): void => {
-    if (is_led) lead({});
+  const reset = (): boolean => {
+    if (is_led && !lead({})) return false;
     is_led = false;
     show_list();
+    return true;
   };
   const begin = (lesson: Lesson): void => {
     open = lesson;

@@ -8,7 +8,7 @@ import type { Session } from '../session/state';
 import type { Station } from '../station';
 import { current_tools } from './current_tools';
 import { scene_people } from './scene_people';
-import { way_hand } from './way_hand';
+import { in_picture, way_hand } from './way_hand';
 import type { WaypointEdit } from './waypoint_edit';
 
 const TURN_RAD_PER_PX = 0.006;
@@ -41,7 +41,8 @@ export function scene_panel(
     role: 'application',
     'aria-label':
       'The scene in depth. Arrow keys turn, plus and minus come closer, ' +
-      'page up and page down lift and lower the picked place of a way. ' +
+      'page up and page down lift and lower the picked place of a way, ' +
+      'Enter points at the middle where Point is pressed. ' +
       'The table of vehicles says the same in words.',
   });
   const labels = element('div', { class: 'scene-labels', 'aria-hidden': true });
@@ -73,10 +74,11 @@ export function scene_panel(
     'Clear water',
     () => {
       if (view === null) return;
-      view.is_clear = !view.is_clear;
-      clear.setAttribute('aria-pressed', String(view.is_clear));
-      set_text(note, view.is_clear ? 'Water is shown clearer than it is.' : '');
-      set_hidden(note, !view.is_clear);
+      const { surround } = view;
+      surround.is_clear = !surround.is_clear;
+      clear.setAttribute('aria-pressed', String(surround.is_clear));
+      set_text(note, surround.is_clear ? 'Water is shown clearer than it is.' : '');
+      set_hidden(note, !surround.is_clear);
       on_change();
     },
     { 'aria-pressed': 'false' },
@@ -96,7 +98,7 @@ export function scene_panel(
     },
     { 'aria-pressed': 'false' },
   );
-  const people = scene_people(station);
+  const people = scene_people(station, on_change);
   const words = element('ul', {});
   const in_words = element(
     'details',
@@ -142,17 +144,16 @@ export function scene_panel(
     { 'aria-pressed': 'false' },
   );
 
-  const hand = way_hand(canvas, way);
+  const hand = way_hand(way);
   let from: { x: number; y: number } | null = null;
   const turn = (right_rad: number, up_rad: number): void => {
     view?.eye.turn(right_rad, up_rad);
     on_change();
   };
   canvas.addEventListener('pointerdown', (event) => {
-    const { left, top, width, height } = canvas.getBoundingClientRect();
-    const [right, down] = [(event.clientX - left) / width, (event.clientY - top) / height];
-    if (people.press(view?.place_under(right, down) ?? null)) return on_change();
-    if (view !== null && hand.take(view.eye.camera, event)) {
+    const at = in_picture(canvas, event);
+    if (people.press(() => view?.place_under(at) ?? null)) return;
+    if (view !== null && hand.take(view.eye.camera, at)) {
       canvas.setPointerCapture(event.pointerId);
       return;
     }
@@ -160,7 +161,8 @@ export function scene_panel(
     canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener('pointermove', (event) => {
-    if (view !== null && hand.move(view.eye.camera, event)) return;
+    if (view !== null && hand.move(view.eye.camera, in_picture(canvas, event), event.shiftKey))
+      return;
     if (from === null) return;
     turn((event.clientX - from.x) * TURN_RAD_PER_PX, (event.clientY - from.y) * TURN_RAD_PER_PX);
     from = { x: event.clientX, y: event.clientY };
@@ -190,6 +192,7 @@ export function scene_panel(
       ArrowDown: () => turn(0, -TURN_BY_KEY_RAD),
       '+': () => closer(CLOSER_BY_STEP),
       '-': () => closer(1 / CLOSER_BY_STEP),
+      Enter: () => people.press(() => view?.place_under({ right: 0, up: 0 }) ?? null),
       PageUp: () => hand.lift(LIFT_BY_KEY_M),
       PageDown: () => hand.lift(-LIFT_BY_KEY_M),
     };

@@ -1,6 +1,6 @@
 // Who looks at the scene is seen there by the others: from where, to where, and what is pointed
 // at. And notes are put at places.
-import { button, element, set_hidden, set_text } from '../../look/element';
+import { button, element, labelled, set_hidden, set_text } from '../../look/element';
 import type { SceneView } from '../scene/scene_view';
 import { look_along } from '../scene/people_shown';
 import { at_scene } from '../scene/axes';
@@ -14,8 +14,8 @@ const POINTS_FOR_MS = 8000;
 export interface ScenePeople {
   readonly nodes: HTMLElement[];
   readonly notes: HTMLElement;
-  /** A place of the scene was pressed. True: it is pointed at. */
-  press(at: Point | null): boolean;
+  /** A place of the scene was pressed. True: it is pointed at, if there is one. */
+  press(place: () => Point | null): boolean;
   /** The scene was closed: the others see nobody there any more. */
   go(): void;
   /** Tells the others, if something changed. */
@@ -23,7 +23,7 @@ export interface ScenePeople {
   show(): void;
 }
 
-export function scene_people(station: Station): ScenePeople {
+export function scene_people(station: Station, on_change: () => void): ScenePeople {
   let is_pointing = false;
   let point: Point | null = null;
   let pointed_ms = -Infinity;
@@ -41,13 +41,12 @@ export function scene_people(station: Station): ScenePeople {
   const words = element('input', {
     type: 'text',
     maxlength: 200,
-    'aria-label': 'A note, put where you pointed last, or at the chosen vehicle',
-    placeholder: 'Note',
+    title: 'Put where you pointed last, or at the chosen vehicle',
   });
   const form = element(
     'form',
     { class: 'scene-note' },
-    words,
+    labelled('Note', words),
     element('button', { type: 'submit' }, 'Put'),
   );
   form.addEventListener('submit', (event) => {
@@ -64,10 +63,12 @@ export function scene_people(station: Station): ScenePeople {
   return {
     nodes: [pointer, form],
     notes,
-    press: (at) => {
-      if (!is_pointing || at === null) return false;
-      point = at;
+    press: (place) => {
+      if (!is_pointing) return false;
+      point = place() ?? point;
       pointed_ms = performance.now();
+      on_change();
+      setTimeout(on_change, POINTS_FOR_MS); // a paused run draws no frames
       return true;
     },
     go: () => {

@@ -35,8 +35,8 @@ const LINES = [
 ] as const;
 type Line = (typeof LINES)[number];
 
-/** A button for each alarm of the vehicle that nobody has seen to. */
-function seen_to_buttons(station: Station): {
+/** A button for each alarm of the vehicle that nobody has acknowledged. */
+function acknowledge_buttons(station: Station): {
   box: HTMLElement;
   show(chosen: number | null): void;
 } {
@@ -55,8 +55,8 @@ function seen_to_buttons(station: Station): {
       shown = key;
       box.replaceChildren(
         ...open.map(({ vehicle, mmsi, with: vessel }) =>
-          button(`Seen to: ${vessel}`, () => {
-            station.ask('Seen to', { do: 'acknowledge', vehicle, mmsi });
+          button(`Acknowledge ${vessel}`, () => {
+            station.ask('Acknowledge', { do: 'acknowledge', vehicle, mmsi });
           }),
         ),
       );
@@ -75,7 +75,7 @@ export function state_panel(station: Station): Panel {
     list.append(term, value);
     lines.set(name, { term, value });
   }
-  const seen_to = seen_to_buttons(station);
+  const acknowledge = acknowledge_buttons(station);
   const attitude = element('canvas', { class: 'attitude', 'aria-hidden': 'true' });
   const bars = element('div', { class: 'bars' });
   const fixed = {
@@ -93,7 +93,7 @@ export function state_panel(station: Station): Panel {
     element('div', { class: 'head' }, title, attitude),
     bars,
     list,
-    seen_to.box,
+    acknowledge.box,
   );
 
   const set = (name: Line, text: string): void => {
@@ -169,11 +169,11 @@ export function state_panel(station: Station): Panel {
               `${it.with}: ${plain(it.level)}` +
               (it.cpa_m === null ? '' : `, passes at ${metres_text(it.cpa_m)}`) +
               (it.cpa_s === null ? '' : ` in ${Math.round(it.cpa_s)} s`) +
-              (it.acknowledged_by === '' ? '' : `, seen to by ${it.acknowledged_by}`),
+              (it.acknowledged_by === '' ? '' : `, acknowledged by ${it.acknowledged_by}`),
           )
           .join('. '),
       );
-      seen_to.show(chosen);
+      acknowledge.show(chosen);
       if (pose !== undefined) draw_attitude(attitude, pose.roll_rad, pose.pitch_rad);
 
       const charge = pose?.charge ?? null;

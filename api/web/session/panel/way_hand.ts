@@ -5,38 +5,44 @@ import type { WaypointEdit } from './waypoint_edit';
 
 export interface WayHand {
   /** True: a place is there, and held from now on. */
-  take(camera: PerspectiveCamera, event: PointerEvent): boolean;
+  take(camera: PerspectiveCamera, at: InPicture): boolean;
   /** True: a place is held. */
-  move(camera: PerspectiveCamera, event: PointerEvent): boolean;
+  move(camera: PerspectiveCamera, to: InPicture, is_up_and_down: boolean): boolean;
   let_go(): void;
   /** The picked place, by keys. */
   lift(by_m: number): void;
 }
 
-export function way_hand(canvas: HTMLCanvasElement, way: WaypointEdit): WayHand {
-  let held: number | null = null;
-  const in_picture = (event: PointerEvent): InPicture => {
-    const { left, top, width, height } = canvas.getBoundingClientRect();
-    const right = (event.clientX - left) / width;
-    const down = (event.clientY - top) / height;
-    return { right: 2 * right - 1, up: 1 - 2 * down };
-  };
+/** Where a pointer is in the picture. */
+export function in_picture(
+  canvas: HTMLCanvasElement,
+  event: { clientX: number; clientY: number },
+): InPicture {
+  const { left, top, width, height } = canvas.getBoundingClientRect();
   return {
-    take: (camera, event) => {
+    right: (2 * (event.clientX - left)) / width - 1,
+    up: 1 - (2 * (event.clientY - top)) / height,
+  };
+}
+
+export function way_hand(way: WaypointEdit): WayHand {
+  let held: number | null = null;
+  return {
+    take: (camera, at) => {
       const draft = way.draft();
-      held = draft === null ? null : held_at(camera, draft.places, in_picture(event));
+      held = draft === null ? null : held_at(camera, draft.places, at);
       if (held !== null) way.pick(held);
       return held !== null;
     },
-    move: (camera, event) => {
+    move: (camera, to, is_up_and_down) => {
       const place = held === null ? undefined : way.draft()?.places[held];
       if (place === undefined) return false;
-      if (event.shiftKey) {
-        const up_m = moved_up(camera, place, in_picture(event));
+      if (is_up_and_down) {
+        const up_m = moved_up(camera, place, to);
         if (up_m !== null) way.lift(up_m);
       } else {
-        const to = moved_level(camera, place, in_picture(event));
-        if (to !== null) way.move(to);
+        const level = moved_level(camera, place, to);
+        if (level !== null) way.move(level);
       }
       return true;
     },

@@ -40,9 +40,9 @@ export function light_left(per_m: number, depth_m: number): [number, number, num
 
 /** The same as an eye or a camera that has got used to it sees it: its colour, hardly darker. */
 export function light_seen(per_m: number, depth_m: number): [number, number, number] {
-  const [red, green, blue] = light_left(per_m, depth_m);
-  const dark = Math.pow(green, USED_TO);
-  return [(dark * red) / green, dark, (dark * blue) / green];
+  const green_lost = K_PER_C * per_m * Math.max(0, depth_m); // of its logarithm
+  const seen = (s: number): number => Math.exp(-green_lost * (USED_TO + s - 1));
+  return [seen(TYPE.red), seen(TYPE.green), seen(TYPE.blue)];
 }
 
 export function lit(colour: Color, [red, green, blue]: readonly [number, number, number]): Color {

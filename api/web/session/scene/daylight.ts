@@ -1,6 +1,6 @@
 // The light of a clear sky over the sun's place. Nobody tells of clouds: a clear sky is supposed.
 import { Color, MathUtils, Vector3 } from 'three';
-import type { Sun } from './sun';
+import type { Sun } from '../session/around';
 
 export interface Daylight {
   to_sun: Vector3; // in the scene's axes

@@ -20,7 +20,6 @@ import { BEHIND_DIAMETERS, type FarmNow, type Turbines } from '../session/farm';
 import { at_place } from './axes';
 
 const WHITE = new MeshLambertMaterial({ color: '#e8eaec' });
-const TOWER_FROM_M = 15; // where a foundation ends, if it is not told of
 // Of a turbine of 126 m diameter (NREL 5 MW), in proportion for others.
 const [USUAL_DIAMETER_M, TOWER_RADIUS_M, NACELLE_M] = [126, 2.5, [5, 5, 14] as const];
 
@@ -55,10 +54,9 @@ export class FarmView {
   constructor(private readonly turbines: Turbines) {
     const { hub_height_m, rotor_diameter_m, places } = turbines;
     const size = rotor_diameter_m / USUAL_DIAMETER_M;
-    const tower_m = Math.max(1, hub_height_m - TOWER_FROM_M);
     const foot_m = TOWER_RADIUS_M * size;
-    const tower = new CylinderGeometry(0.65 * foot_m, foot_m, tower_m, 16);
-    tower.translate(0, TOWER_FROM_M + tower_m / 2, 0);
+    const tower = new CylinderGeometry(0.65 * foot_m, foot_m, hub_height_m, 16);
+    tower.translate(0, hub_height_m / 2, 0); // from the sea up: its foundation is wider
     const nacelle = new BoxGeometry(...NACELLE_M);
     nacelle.scale(size, size, size);
     nacelle.translate(0, 0, (NACELLE_M[2] / 2) * size);
@@ -108,7 +106,7 @@ export class FarmView {
     const shade = new Color();
     places.forEach((place, nth) => {
       const now = farm?.each[nth];
-      const on_rad = passed_s * (now?.turns_rad_s ?? 0);
+      const on_rad = passed_s * (now?.rotor_speed_rad_s ?? 0);
       const turned_rad = (this.turned_rad[nth]! + on_rad) % (2 * Math.PI);
       this.turned_rad[nth] = turned_rad;
       part.position.copy(at_place({ ...place, up_m: hub_height_m }));

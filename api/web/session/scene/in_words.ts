@@ -1,18 +1,11 @@
 // What is in the scene, in words, for who does not see it: one line each.
 import { heading_text, level_text, metres_text, span_text } from '../look/units';
 import { current_at } from '../session/currents';
-import { run_utc_ms, type Session } from '../session/state';
+import type { Sun } from '../session/around';
+import type { Session } from '../session/state';
 import type { Approach } from './approach';
-import { sun_position, type Sun } from './sun';
 
 const EVERY_M = 10; // depths of which the current is told
-
-/** The sun now, where the run says when and where it is. */
-export function sun_of(session: Session): Sun | null {
-  const utc_ms = run_utc_ms(session);
-  if (session.origin === null || !Number.isFinite(utc_ms)) return null;
-  return sun_position(session.origin.lat_deg, session.origin.lon_deg, utc_ms);
-}
 
 function sun_words({ elevation_deg, azimuth_deg }: Sun): string {
   if (elevation_deg <= 0) return `The sun is ${(-elevation_deg).toFixed(0)}° below the horizon.`;
@@ -20,11 +13,19 @@ function sun_words({ elevation_deg, azimuth_deg }: Sun): string {
   return `The sun stands ${where}; a clear sky is supposed.`;
 }
 
+/** What of it is a forecast, what made up, what set by somebody. */
+function water_words({ forecast, weather }: Session): string {
+  const whose = forecast == null ? 'made up for this run' : `of the forecast ${forecast}`;
+  const led = weather?.led ?? [];
+  const by_hand = led.length === 0 ? '' : `; set by hand: ${led.join(', ').replaceAll('_', ' ')}`;
+  return `Wind, waves and current are ${whose}${by_hand}. Vehicles are as the twin has them.`;
+}
+
 export function scene_in_words(session: Session, approaches: readonly Approach[]): string[] {
   const lines: string[] = [];
-  const sun = sun_of(session);
-  if (sun !== null) lines.push(sun_words(sun));
   const { weather, turbines } = session;
+  if (session.forecast !== undefined) lines.push(water_words(session));
+  if (weather?.sun != null) lines.push(sun_words(weather.sun));
   const currents = weather?.currents ?? [];
   const deepest_m = currents.at(-1)?.up_m ?? 0;
   for (let up_m = 0; up_m >= deepest_m && currents.length > 1; up_m -= EVERY_M) {
@@ -32,7 +33,7 @@ export function scene_in_words(session: Session, approaches: readonly Approach[]
     if (at === null) continue;
     const to = heading_text(Math.atan2(at.east_m_s, at.north_m_s));
     const speed = Math.hypot(at.east_m_s, at.north_m_s).toFixed(2);
-    lines.push(`Current ${-up_m} m deep: ${speed} m/s to ${to} (forecast).`);
+    lines.push(`Current ${-up_m} m deep: ${speed} m/s to ${to}.`);
   }
   turbines?.places.forEach((place, nth) => {
     const now = weather?.farm?.each[nth];

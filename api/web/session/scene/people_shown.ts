@@ -1,5 +1,5 @@
 // Other people in the scene: where each stands and looks, what is pointed at, notes at places.
-import { ConeGeometry, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from 'three';
+import { ConeGeometry, MathUtils, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from 'three';
 import type { Colours } from '../look/palette';
 import type { Look } from '../session/gathering';
 import { holder_name, type Session } from '../session/state';
@@ -12,20 +12,21 @@ const LOOKS_AHEAD_M = 3;
 
 /** Where somebody looks, unit, in the scene's axes. */
 export function direction_of(look: Pick<Look, 'heading_deg' | 'tilt_deg'>): Vector3 {
-  const [heading, tilt] = [look.heading_deg, look.tilt_deg].map((it) => (it * Math.PI) / 180) as [
-    number,
-    number,
-  ];
-  const level = Math.cos(tilt);
-  return new Vector3(Math.sin(heading) * level, Math.sin(tilt), -Math.cos(heading) * level);
+  const heading_rad = MathUtils.degToRad(look.heading_deg);
+  const tilt_rad = MathUtils.degToRad(look.tilt_deg);
+  const level = Math.cos(tilt_rad);
+  return new Vector3(
+    Math.sin(heading_rad) * level,
+    Math.sin(tilt_rad),
+    -Math.cos(heading_rad) * level,
+  );
 }
 
 /** The same of a camera that looks along a direction. */
 export function look_along(way: Vector3): Pick<Look, 'heading_deg' | 'tilt_deg'> {
-  const degrees = (rad: number): number => (rad * 180) / Math.PI;
   return {
-    heading_deg: (degrees(Math.atan2(way.x, -way.z)) + 360) % 360,
-    tilt_deg: degrees(Math.asin(Math.max(-1, Math.min(1, way.y)))),
+    heading_deg: (MathUtils.radToDeg(Math.atan2(way.x, -way.z)) + 360) % 360,
+    tilt_deg: MathUtils.radToDeg(Math.asin(MathUtils.clamp(way.y, -1, 1))),
   };
 }
 

@@ -5,7 +5,6 @@ import {
   Color,
   Mesh,
   MeshBasicMaterial,
-  Plane,
   Raycaster,
   Scene,
   SphereGeometry,
@@ -24,6 +23,7 @@ import { approaches_in, type Approach } from './approach';
 import { at_place, at_scene, turned, type Place } from './axes';
 import { Eye } from './eye';
 import { FarmView } from './farm_view';
+import { moved_level, type InPicture } from './handles';
 import { FlowSlice, Hodograph } from './flow_view';
 import { Kept } from './kept';
 import { Labels, names_in } from './labels';
@@ -42,7 +42,6 @@ export interface Shown {
 
 const CURRENT_ARROW_M_PER_M_S = 4;
 const PRESSED = /^(?!sea$|sky$|slice$|turbines$).+/; // things with a name, but those all about
-const FARTHEST_M = 3000;
 
 export class SceneView {
   readonly eye = new Eye();
@@ -50,7 +49,7 @@ export class SceneView {
   slice_up_m: number | null = null;
   shows_wakes = false;
   private readonly scene = new Scene();
-  private readonly surround = new Surround(this.scene);
+  readonly surround = new Surround(this.scene);
   private readonly kept = new Kept(this.scene);
   private readonly slice = new FlowSlice();
   private readonly hodograph = new Hodograph();
@@ -70,13 +69,6 @@ export class SceneView {
     this.scene.add(this.slice.mesh, this.hodograph.group);
   }
 
-  get is_clear(): boolean {
-    return this.surround.is_clear;
-  }
-  set is_clear(clear: boolean) {
-    this.surround.is_clear = clear;
-  }
-
   /** What the last picture asked of the graphics card. */
   asked(): { calls: number; triangles: number } {
     return this.renderer.info.render;
@@ -86,22 +78,16 @@ export class SceneView {
     this.eye.see_all([...session.poses.values()].map(at_place));
   }
 
-  /**
-   * What lies under a place of the picture: the nearest thing, else mean sea level or the bed.
-   * @param right, down  shares of the picture, 0 to 1
-   */
-  place_under(right: number, down: number): Place | null {
+  /** What lies under a place of the picture: the nearest thing, else mean sea level or the bed. */
+  place_under(at: InPicture): Place | null {
+    const { camera } = this.eye;
     const ray = new Raycaster();
-    ray.setFromCamera(new Vector2(2 * right - 1, 1 - 2 * down), this.eye.camera);
+    ray.setFromCamera(new Vector2(at.right, at.up), camera);
     const things = this.scene.children.filter((it) => PRESSED.test(it.name));
     const [hit] = ray.intersectObjects(things, true);
     if (hit !== undefined) return at_scene(hit.point);
-    const level_m = this.eye.camera.position.y > 0 ? 0 : this.surround.bed_m;
-    if (level_m === null) return null;
-    const at = ray.ray.intersectPlane(new Plane(new Vector3(0, 1, 0), -level_m), new Vector3());
-    return at === null || at.distanceTo(this.eye.camera.position) > FARTHEST_M
-      ? null
-      : at_scene(at);
+    const up_m = camera.position.y > 0 ? 0 : this.surround.bed_m;
+    return up_m === null ? null : moved_level(camera, { east_m: 0, north_m: 0, up_m }, at);
   }
 
   draw({ session, tracks, chosen, draft }: Shown): void {

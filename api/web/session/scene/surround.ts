@@ -16,11 +16,10 @@ import { elevation_m } from '../session/sea';
 import type { Session } from '../session/state';
 import { fading_per_m, light_seen, lit, set_fog } from './air_and_water';
 import { daylight_of } from './daylight';
-import { sun_of } from './in_words';
 import { Sky } from './sky';
 import { Water } from './water';
 
-const NOON = { elevation_deg: 50, azimuth_deg: 180 }; // where nobody says when and where
+const NOON = { elevation_deg: 50, azimuth_deg: 180 }; // where nobody says, as in a recording
 const UNKNOWN_BY_DAY = 1.2; // of all sides, where the sun's own light is 2
 
 export class Surround {
@@ -49,7 +48,7 @@ export class Surround {
     const surface_m = elevation_m(session.sea, factor, about.x, about.y, time_s);
     const is_under_water = eye.y < surface_m;
     const { sky, deep, bed } = colours();
-    const daylight = daylight_of(sun_of(session) ?? NOON, sky);
+    const daylight = daylight_of(session.weather?.sun ?? NOON, sky);
     const per_m = fading_per_m(session.weather, is_under_water);
     // By day water shows the colours that it leaves of the light from above.
     const left = is_under_water ? light_seen(per_m, surface_m - eye.y) : ([1, 1, 1] as const);

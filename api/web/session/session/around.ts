@@ -3,6 +3,11 @@ import { read_currents, type Current } from './currents';
 import { read_farm, type FarmNow } from './farm';
 import { as_list, as_number, as_object, as_text, type Json } from './message';
 
+export interface Sun {
+  elevation_deg: number; // above the horizon
+  azimuth_deg: number; // clockwise from north
+}
+
 export interface Weather {
   wind_m_s: number | null;
   wind_from_deg: number | null;
@@ -19,6 +24,7 @@ export interface Weather {
   led: string[]; // by name: wind, waves, current, visibility, water_visibility
   led_by: string;
   settles_in_s: number;
+  sun: Sun | null;
   currents: Current[]; // from the surface to the bed; empty: nobody knows
   farm: FarmNow | null;
 }
@@ -52,9 +58,16 @@ export function read_weather(value: unknown): Weather | null {
     led: as_list(it.led).map(as_text),
     led_by: as_text(it.led_by),
     settles_in_s: as_number(it.settles_in_s) ?? 0,
+    sun: read_sun(it.sun),
     currents: read_currents(it.currents),
     farm: read_farm(it.farm),
   };
+}
+
+function read_sun(value: unknown): Sun | null {
+  const it = as_object(value);
+  const [elevation_deg, azimuth_deg] = [as_number(it?.elevation_deg), as_number(it?.azimuth_deg)];
+  return elevation_deg === null || azimuth_deg === null ? null : { elevation_deg, azimuth_deg };
 }
 
 export function read_vessels(value: unknown): Vessel[] {

@@ -14,7 +14,7 @@ export const BEHIND_DIAMETERS = [2, 5, 10] as const;
 export interface TurbineNow {
   power_w: number;
   wind_m_s: number; // over its rotor
-  turns_rad_s: number;
+  rotor_speed_rad_s: number;
   wind_left: number[]; // shares, as many as BEHIND_DIAMETERS
 }
 export interface FarmNow {
@@ -46,7 +46,7 @@ export function read_farm(value: unknown): FarmNow | null {
     each.push({
       power_w: as_number(turbine?.power_w) ?? Number.NaN,
       wind_m_s: as_number(turbine?.wind_m_s) ?? Number.NaN,
-      turns_rad_s: as_number(turbine?.turns_rad_s) ?? 0,
+      rotor_speed_rad_s: as_number(turbine?.rotor_speed_rad_s) ?? 0,
       wind_left: BEHIND_DIAMETERS.map((_, i) => as_number(as_list(turbine?.wind_left)[i]) ?? 1),
     });
   }

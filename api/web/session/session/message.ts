@@ -112,7 +112,7 @@ export interface Alarm {
   cpa_m: number | null;
   cpa_s: number | null;
   mmsi: number | null;
-  acknowledged_by: string; // empty: nobody has seen to it
+  acknowledged_by: string; // empty: nobody has
 }
 export interface Action {
   number: number;

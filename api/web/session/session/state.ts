@@ -53,8 +53,8 @@ export interface Session {
   sea: Sea | null;
   vessels: Vessel[];
   turbines: Turbines | null;
-  /** Where the run's metres count from; null: not told. */
-  origin: { lat_deg: number; lon_deg: number } | null;
+  /** Of wind, waves and current, its name; null: they are made up; undefined: not told. */
+  forecast: string | null | undefined;
   /** Of each vehicle on a tether its nodes, from the top to it. */
   lines: Map<number, Point[]>;
   looks: Look[];
@@ -88,7 +88,7 @@ export function empty_session(): Session {
     sea: null,
     vessels: [],
     turbines: null,
-    origin: null,
+    forecast: undefined,
     lines: new Map(),
     looks: [],
     notes: [],
@@ -219,9 +219,8 @@ function welcome(session: Session, message: Json): void {
   session.weather = read_weather(message.weather);
   session.sea = read_sea(message.sea);
   session.turbines = read_turbines(message.turbines);
-  const origin = read.as_object(message.origin);
-  const [lat_deg, lon_deg] = [read.as_number(origin?.lat), read.as_number(origin?.lon)];
-  session.origin = lat_deg === null || lon_deg === null ? null : { lat_deg, lon_deg };
+  const water = read.as_object(message.water);
+  session.forecast = water === null ? undefined : read.as_text(water.forecast) || null;
   session.looks = read_looks(message.looks);
   session.notes = read_notes(message.notes);
   session.lines.clear();

@@ -1,5 +1,5 @@
-// What is about the vehicles: the sun against another's algorithm, the current between the depths
-// that are told, who comes how near, turbines, and all of it in words.
+// What is about the vehicles: light, the current between the depths that are told, who comes how
+// near, turbines, people, and all of it in words.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Line, Matrix4, Scene, Vector3, type InstancedMesh } from 'three';
@@ -12,7 +12,6 @@ import { scene_in_words } from 'page/scene/in_words';
 import { Kept } from 'page/scene/kept';
 import { names_in } from 'page/scene/labels';
 import { direction_of, look_along, people_names, place_people } from 'page/scene/people_shown';
-import { sun_position } from 'page/scene/sun';
 import { read_weather } from 'page/session/around';
 import { current_at, read_currents } from 'page/session/currents';
 import { read_turbines } from 'page/session/farm';
@@ -21,20 +20,6 @@ import { pose_with as pose } from './pose_for_tests';
 
 const near = (found: number, expected: number, within: number): void =>
   assert.ok(Math.abs(found - expected) <= within, `${found} is not ${expected}`);
-
-test('the sun stands where the algorithm of NREL has it', () => {
-  // Elevation without refraction and azimuth, as pvlib's spa.solar_position_numpy gives them.
-  for (const [utc, lat, lon, elevation_deg, azimuth_deg] of [
-    ['2026-06-21T11:00:00Z', 54, 6.5, 58.7044, 164.0467],
-    ['2026-12-21T08:00:00Z', 57.5, -1.9, -5.7086, 125.9501],
-    ['2025-03-20T17:45:00Z', 41.2, -70.9, 47.1526, 200.1196],
-    ['2030-08-01T02:00:00Z', -33, 151, 38.9667, 0.7322],
-  ] as const) {
-    const sun = sun_position(lat, lon, Date.parse(utc));
-    near(sun.elevation_deg, elevation_deg, 0.01);
-    near(sun.azimuth_deg, azimuth_deg, 0.02);
-  }
-});
 
 test('by day the sun shines from where it stands, by night none does', () => {
   const noon = daylight_of({ elevation_deg: 30, azimuth_deg: 90 }, '#80c0ff');
@@ -96,6 +81,8 @@ test('light fades downwards, red and blue before green, and an eye gets used to 
   near(seen[0] / seen[1], red / green, 1e-12);
   assert.ok(seen[1] > green);
   assert.deepEqual(light_left(0.4, -1), [1, 1, 1]);
+  // So deep and turbid that nothing at all is left: dark, and still a number.
+  assert.ok(light_seen(96, 60).every((it) => it >= 0 && it < 1e-9));
 });
 
 const turbines = read_turbines({
@@ -108,6 +95,8 @@ const turbines = read_turbines({
   ],
 });
 const weather = read_weather({
+  sun: { elevation_deg: 58.7, azimuth_deg: 164 },
+  led: ['water_visibility'],
   hub_wind_m_s: 9,
   hub_wind_from_deg: 270,
   currents: [
@@ -119,8 +108,8 @@ const weather = read_weather({
     rated_w: 10e6,
     turbines: 2,
     each: [
-      { power_w: 2e6, wind_m_s: 9, turns_rad_s: 1.1, wind_left: [0.5, 0.7, 0.9] },
-      { power_w: 1e6, wind_m_s: 7, turns_rad_s: 0.9, wind_left: [0.5, 0.7, 0.9] },
+      { power_w: 2e6, wind_m_s: 9, rotor_speed_rad_s: 1.1, wind_left: [0.5, 0.7, 0.9] },
+      { power_w: 1e6, wind_m_s: 7, rotor_speed_rad_s: 0.9, wind_left: [0.5, 0.7, 0.9] },
     ],
   },
 });
@@ -151,8 +140,7 @@ test('the scene is told in words', () => {
   const session = empty_session();
   tell(session, {
     is: 'welcome',
-    start: '2026-06-21T11:00:00Z',
-    origin: { lat: 54, lon: 6.5 },
+    water: { forecast: 'borkum 2026-06-21' },
     turbines: {
       hub_height_m: 90,
       rotor_diameter_m: 126,
@@ -176,10 +164,12 @@ test('the scene is told in words', () => {
   });
   session.weather = weather;
   assert.deepEqual(scene_in_words(session, approaches_in(session)), [
+    'Wind, waves and current are of the forecast borkum 2026-06-21; ' +
+      'set by hand: water visibility. Vehicles are as the twin has them.',
     'The sun stands 59° high at 164°; a clear sky is supposed.',
-    'Current 0 m deep: 0.50 m/s to 090° (forecast).',
-    'Current 10 m deep: 0.27 m/s to 068° (forecast).',
-    'Current 20 m deep: 0.20 m/s to 000° (forecast).',
+    'Current 0 m deep: 0.50 m/s to 090°.',
+    'Current 10 m deep: 0.27 m/s to 068°.',
+    'Current 20 m deep: 0.20 m/s to 000°.',
     'Turbine 1, 0 m from the origin: 2.0 MW in 9.0 m/s.',
     'Turbine 2, 900 m from the origin: 1.0 MW in 7.0 m/s.',
     'The tether of rov, 11 m of it out.',

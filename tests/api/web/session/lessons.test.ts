@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { fault_of, lessons, type Lesson } from 'page/lessons/lesson';
-import { class_of_address, Idle, KIOSK_WAITS_MS } from 'page/session/class_of_address';
+import { class_of_address } from 'page/session/class_of_address';
+import { Idle, KIOSK_WAITS_MS } from 'page/session/idle';
 
 const titled = (title: string): Lesson => {
   const found = lessons.find((it) => it.title.startsWith(title));
