@@ -42,13 +42,13 @@ class Person {
     this.name = name;
     this.page = page;
   }
-  static async sitDown(name, browser) {
+  static async sitDown(name, browser, search = "") {
     const context = await browser.createBrowserContext();
     const person = new Person(name, await context.newPage());
     await person.page.setViewport({ width: 1280, height: 800 });
     await person.page.evaluateOnNewDocument(hear);
     person.page.on("pageerror", (error) => fail(`the page of ${name} throws`, error));
-    await person.page.goto(`${address}/session`);
+    await person.page.goto(`${address}/session${search}`);
     await person.page.waitForSelector("form.join option", { timeout: LIMIT_MS });
     return person;
   }
@@ -262,7 +262,7 @@ const steps = {
   },
 
   async "a supervisor's HOLD works without the helm, and takes it"() {
-    sue = await Person.sitDown("Sue", browsers[1]);
+    sue = await Person.sitDown("Sue", browsers[1], "?class");
     await sue.join();
     await sue.seated();
     await sue.reads(".helm-state", /^Bob drives/);
@@ -426,6 +426,39 @@ const steps = {
     await ann.press("Scene");
     await ann.until("the plan", () => document.querySelector("#scene").hidden);
     return label;
+  },
+
+  async "a note in the scene is there for the others, until it is taken away"() {
+    for (const person of [ann, sue]) await person.press("Scene");
+    await sue.page.bringToFront();
+    await sue.page.click(".scene-words summary");
+    await ann.page.bringToFront();
+    await ann.page.type(".scene-note input", "loose anode");
+    await ann.press("Put");
+    await sue.page.bringToFront();
+    const note = await sue.reads(".scene-notes", /Ann: loose anode/);
+    await sue.reads(".scene-words", /Vehicles are as the twin has them/);
+    await sue.press("Take away");
+    await sue.until("no note", () => document.querySelector(".scene-notes").textContent === "");
+    await ann.press("Scene");
+    return note;
+  },
+
+  async "a lesson is done with the weather, for all, and given back"() {
+    await sue.press("Battery against current");
+    await sue.press("About eight times as much");
+    await sue.reads(".lessons", /^.*Yes\./s);
+    await sue.press("Do it");
+    await sue.reads(".lessons", /The charge falls faster/);
+    await bob.page.bringToFront();
+    const led = await bob.reads(".weather .facts", /0\.\d\d m\/s to 090. · set by hand/);
+    await sue.page.bringToFront();
+    await sue.press("Back to the lessons");
+    await bob.page.bringToFront();
+    await bob.until("the run's own current", () => !document.querySelector(".weather").textContent.includes("set by hand"));
+    await sue.page.bringToFront();
+    await sue.press("Why an inspection missed a crack"); // for axe-core
+    return led;
   },
 
   async "axe-core finds nothing, and nothing is wider than its window"() {
