@@ -11,6 +11,16 @@ namespace {
 
 using constants::degree;
 
+std::vector<MooringLine> moorings_of(const TurbinePlace& place, const WorkTurbine& at) {
+  std::vector<MooringLine> lines;
+  for (const Mooring& line : place.moorings) {
+    const double bearing = line.bearing_deg * degree;
+    lines.push_back({line.id, at.around(bearing, at.radius_m, line.fairlead_depth_m),
+                     at.around(bearing, line.anchor_distance_m, at.bed_m)});
+  }
+  return lines;
+}
+
 WorkTurbine work_turbine_of(const Site& site, const TurbinePlace& place, const LocalFrame& frame) {
   const std::string who = "site " + site.id + ": turbine " + place.id + " ";
   WorkTurbine t;
@@ -37,11 +47,7 @@ WorkTurbine work_turbine_of(const Site& site, const TurbinePlace& place, const L
   if (place.hub_height_m) t.hub_m = -*place.hub_height_m;
   if (place.rotor_diameter_m) t.rotor_radius_m = 0.5 * *place.rotor_diameter_m;
   t.landing_rad = *place.landing_deg * degree;
-  for (const Mooring& line : place.moorings) {
-    const double bearing = line.bearing_deg * degree;
-    t.moorings.push_back({line.id, t.around(bearing, t.radius_m, line.fairlead_depth_m),
-                          t.around(bearing, line.anchor_distance_m, t.bed_m)});
-  }
+  t.moorings = moorings_of(place, t);
   return t;
 }
 
@@ -55,6 +61,19 @@ CableRole role_of(const Site& site, const CableRoute& cable) {
              : CableRole::to_shore;
 }
 
+WorkCable work_cable_of(const Site& site, const CableRoute& cable, const LocalFrame& frame,
+                        double bed_m) {
+  WorkCable out;
+  out.id = cable.id;
+  out.burial_m = cable.burial_depth_m;
+  out.role = role_of(site, cable);
+  for (const GeoPoint& point : cable.route) {
+    const Horizontal at = horizontal_of(frame.to_local(point));
+    out.route_m.push_back({at.imag(), at.real(), bed_m});
+  }
+  return out;
+}
+
 }  // namespace
 
 WorkSite work_site_of(const Site& site) {
@@ -64,17 +83,30 @@ WorkSite work_site_of(const Site& site) {
     refuse("site " + site.id + ": has no turbines; add their places (`turbines`, page on sites)");
   for (const TurbinePlace& place : site.turbines)
     work.turbines.push_back(work_turbine_of(site, place, frame));
-  for (const CableRoute& cable : site.cables) {
-    WorkCable& out = work.cables.emplace_back();
-    out.id = cable.id;
-    out.burial_m = cable.burial_depth_m;
-    out.role = role_of(site, cable);
-    for (const GeoPoint& point : cable.route) {
-      const Horizontal at = horizontal_of(frame.to_local(point));
-      out.route_m.push_back({at.imag(), at.real(), work.turbines.front().bed_m});
+  for (const CableRoute& cable : site.cables)
+    work.cables.push_back(work_cable_of(site, cable, frame, work.turbines.front().bed_m));
+  return work;
+}
+
+SiteLines site_lines_of(const Site& site, const LocalFrame& frame) {
+  SiteLines lines;
+  for (const TurbinePlace& place : site.turbines) {
+    const auto bed_m = place.water_depth_m ? place.water_depth_m : site.water_depth_m;
+    if (!bed_m || !place.foundation) continue;
+    WorkTurbine at;
+    const Horizontal axis_m = horizontal_of(frame.to_local(place.point));
+    at.north_m = axis_m.imag();
+    at.east_m = axis_m.real();
+    at.bed_m = *bed_m;
+    at.radius_m = 0.5 * place.foundation->diameter_m;
+    for (MooringLine& line : moorings_of(place, at)) {
+      line.id = place.id + " " + line.id;
+      lines.moorings.push_back(std::move(line));
     }
   }
-  return work;
+  for (const CableRoute& cable : site.cables)
+    lines.cables.push_back(work_cable_of(site, cable, frame, site.water_depth_m.value_or(0)));
+  return lines;
 }
 
 }  // namespace slackwater::twin

@@ -14,6 +14,7 @@
 #include "ingest/cf/trajectory_file.h"
 #include "twin/account/vehicle_account.h"
 #include "twin/helm/command_arbiter.h"
+#include "twin/mission/site_work.h"
 #include "twin/run/newcomer_yard.h"
 #include "twin/run/run_control.h"
 #include "twin/run/run_log.h"
@@ -30,6 +31,7 @@ struct ScenarioWater {
   std::string forecast_sha256;     ///< empty: made up
   std::string forecast_name;       ///< "site 2025-06-01, issued ...", for people
   std::size_t members_issued = 0;  ///< of it; the field may hold more, drawn since
+  twin::SiteLines lines;           ///< of the site, about the scenario's origin
   std::string traffic_files;       ///< logs of AIS and their checksums; empty: none
   std::vector<std::string> warnings;
 };

@@ -39,12 +39,13 @@ ScenarioWater of_file(const std::filesystem::path& file) {
                   sha256_of_file(file));
 }
 
-/// Turbines of the site about the scenario's origin, and the curve they share: what they make is
-/// told also where the scenario has no wakes.
-void add_turbines(const Scenario& scenario, const Site& site, ScenarioWater& water) {
+/// Cables, moorings and turbines of the site about the scenario's origin, and the curve they share:
+/// what they make is told also where the scenario has no wakes.
+void add_farm(const Scenario& scenario, const Site& site, ScenarioWater& water) {
   water.surround.site = site.point;
   if (site.turbines.empty()) return;
   const LocalFrame frame(twin::origin_of(scenario, site.point));
+  water.lines = twin::site_lines_of(site, frame);
   for (const TurbinePlace& turbine : site.turbines) {
     water.surround.turbines_m.push_back(horizontal_of(frame.to_local(turbine.point)));
   }
@@ -109,7 +110,7 @@ ScenarioWater water_of(const Scenario& scenario, const std::filesystem::path& st
       for (const std::string& damage : in_force.passed_over)
         log_event(LogLevel::warning, "forecast passed over", {{"problem", damage}});
       water = of_file(store.proven_content(in_force.row.content_sha256));
-      add_turbines(scenario, site, water);
+      add_farm(scenario, site, water);
     }
   }
   hold_member_of(scenario, store_folder, water);
@@ -142,7 +143,7 @@ ScenarioWater water_of_log(const Scenario& scenario, const std::string& forecast
   }
   if (const auto* wanted = std::get_if<ForecastWater>(&scenario.water);
       wanted != nullptr && !wanted->site.empty())
-    add_turbines(scenario, find_site(wanted->site, site_folders(store_folder)), water);
+    add_farm(scenario, find_site(wanted->site, site_folders(store_folder)), water);
   hold_member_of(scenario, store_folder, water);
   water.surround.data_folder = data_folder();
   return water;

@@ -3,6 +3,7 @@
 #include "api/door/http/field_list.h"
 #include "api/door/http/problem.h"
 #include "api/door/http/trust.h"
+#include "api/door/people/ground.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -44,6 +45,7 @@ Session::Session(SessionSettings settings, TokenBook book)
       ticker_([this] {
         if (!tick()) return false;
         mind_farm();
+        mind_inspections();
         return true;
       }) {}
 
@@ -81,7 +83,10 @@ void Session::begin(const api::RunInHand& hand) {
         {"water", water_json(hand.water)},
         {"structures", structures},
         {"turbines", turbines_json(hand.environment->turbines)},
-        {"sea", sea_json(hand.environment->sea.get())}};
+        {"sea", sea_json(hand.environment->sea.get())},
+        {"bed", bed_json(hand)},
+        {"cables", cables_json(hand)},
+        {"moorings", moorings_json(hand.water.lines)}};
   }
   hand.run.at_barrier(
       [this, &control = hand.control](const twin::StepTime&) { look_at_run(control); });
@@ -404,6 +409,7 @@ bool Session::tick() {
   if (now >= lines_at_ + lines_every_ms) {
     lines_at_ = now;
     tell_lines();
+    tell_thrusts();
     tell_gathering();
   }
   tell_run();

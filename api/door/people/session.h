@@ -11,6 +11,7 @@
 #include "api/door/http/websocket.h"
 #include "api/door/people/farm_output.h"
 #include "api/door/people/gathering.h"
+#include "api/door/people/inspected_now.h"
 #include "api/door/people/pictures_now.h"
 #include "api/door/people/run_desk.h"
 #include "api/door/people/station.h"
@@ -60,6 +61,10 @@ class Session final : public api::http::WebSocketHandler {
   [[nodiscard]] api::http::Response picture(const std::string& vehicle, const std::string& sensor,
                                             const std::string& path) const;
 
+  /// What a vehicle inspects, for drawing; 404 that names what there is.
+  [[nodiscard]] api::http::Response surface(const std::string& vehicle, const std::string& surface,
+                                            const std::string& path) const;
+
   // --- stations ---
   [[nodiscard]] std::vector<std::string> protocols() const override;
   [[nodiscard]] std::optional<api::http::Response> refusal(
@@ -96,9 +101,11 @@ class Session final : public api::http::WebSocketHandler {
   void tell_run();
   void tell_around();
   void tell_lines();
+  void tell_thrusts();
   void tell_gathering();
   [[nodiscard]] nlohmann::json pictures_json() const;
   void mind_farm();
+  void mind_inspections();
   [[nodiscard]] nlohmann::json weather_now() const;
   [[nodiscard]] ShownHelm shown(std::size_t vehicle) const;
   [[nodiscard]] nlohmann::json run_json() const;
@@ -116,12 +123,16 @@ class Session final : public api::http::WebSocketHandler {
   RunNow now_;
   nlohmann::json run_facts_;  ///< that never change: of the welcome
   std::vector<ShownHelm> helms_told_;
-  std::vector<nlohmann::json> status_told_, lines_told_;
+  std::vector<nlohmann::json> status_told_, lines_told_, thrusts_told_;
   nlohmann::json seats_told_, run_told_, weather_told_, traffic_told_;
   Gathering gathering_;
   nlohmann::json looks_told_ = nlohmann::json::array(), notes_told_ = nlohmann::json::array();
   std::shared_ptr<FarmOutput> farm_;  ///< null: the site has no turbines
   std::optional<FarmNow> farm_now_;
+  /// By vehicle; the first two of the ticker's thread alone.
+  std::map<std::size_t, std::shared_ptr<const twin::InspectionState>> looks_minded_;
+  std::map<std::size_t, std::unique_ptr<InspectedNow>> inspected_;
+  std::map<std::size_t, ToldInspection> inspections_;
   PicturesNow pictures_;
   bool is_over_ = false;
   Milliseconds barrier_at_ = 0, barrier_after_ = 0;  ///< the last one, and how long after another

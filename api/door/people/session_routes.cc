@@ -58,6 +58,14 @@ void add_routes(api::http::Router& router, const ServedSessions& sessions) {
         for (const Action& action : session->actions()) rows.push_back(action_json(action));
         return json_response({{"actions", rows}});
       });
+  router.add(
+      "GET", path + "/surfaces/{vehicle}/{surface}",
+      [find = sessions.find](const Request& request, const PathParameters& parameters) {
+        const auto session = find(parameters.at("session"));
+        if (auto no = session->refusal_to_read(bearer_of(request.authorization), request.path))
+          return *std::move(no);
+        return session->surface(parameters.at("vehicle"), parameters.at("surface"), request.path);
+      });
   router.add("GET", path + "/socket",
              [find = sessions.find](const Request& request, const PathParameters& parameters) {
                return api::http::websocket_route(find(parameters.at("session")))(request);

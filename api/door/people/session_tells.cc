@@ -94,6 +94,15 @@ void Session::welcome(Station& station, const Seats::Taken& taken) {
   for (std::size_t i = 0; i < now_.vehicles.size(); ++i)
     if (!now_.vehicles[i].line_m.empty())
       welcome["lines"].push_back(line_json(i, now_.vehicles[i]));
+  welcome["thrusts"] = json::array();
+  for (std::size_t i = 0; i < now_.vehicles.size(); ++i)
+    welcome["thrusts"].push_back(thrust_json(i, now_.vehicles[i]));
+  for (const char* const each : {"surfaces", "covered", "findings"}) welcome[each] = json::array();
+  for (const auto& [vehicle, told] : inspections_) {
+    for (const json& surface : told.surfaces) welcome["surfaces"].push_back(surface);
+    for (const json& covered : told.covered) welcome["covered"].push_back(covered);
+    welcome["findings"].push_back(told.findings);
+  }
   welcome["weather"] = weather_now();
   welcome["pictures"] = pictures_json();
   welcome["traffic"] = now_.around ? traffic_json(*now_.around) : json(nullptr);
@@ -140,6 +149,16 @@ void Session::tell_lines() {
     if (line == lines_told_[i] || (lines_told_[i].is_null() && line["nodes"].empty())) continue;
     lines_told_[i] = line;
     tell_all(line);
+  }
+}
+
+void Session::tell_thrusts() {
+  thrusts_told_.resize(now_.vehicles.size());
+  for (std::size_t i = 0; i < now_.vehicles.size(); ++i) {
+    json thrust = thrust_json(i, now_.vehicles[i]);
+    if (thrust == thrusts_told_[i]) continue;
+    thrusts_told_[i] = thrust;
+    tell_all(thrust);
   }
 }
 

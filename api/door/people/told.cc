@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "api/door/people/ground.h"
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/agent/conduct.h"
@@ -66,6 +67,13 @@ json vehicle_json(const twin::Agent& agent, std::size_t place, const VehicleNow&
   const twin::Envelope envelope = agent.conduct ? agent.conduct->plan.envelope : twin::Envelope();
   json names = json::array();
   for (std::size_t i = 0; i < vehicle.mounts; ++i) names.push_back(formatted("{}", i + 1));
+  const auto forward_right_down = [](const twin::Triple<double>& body) {
+    return json{rounded(body.x, 1e-3), rounded(body.y, 1e-3), rounded(body.z, 1e-3)};
+  };
+  json mounts = json::array();
+  for (std::size_t i = 0; i < vehicle.mounts; ++i)
+    mounts.push_back({{"at", forward_right_down(vehicle.mount[i].position_m)},
+                      {"axis", forward_right_down(vehicle.mount[i].direction)}});
   json tether = nullptr;
   if (agent.tether) {
     tether = place_json(agent.tether_top_m);
@@ -84,6 +92,7 @@ json vehicle_json(const twin::Agent& agent, std::size_t place, const VehicleNow&
           {"width_m", 2 * vehicle.body.radius_m},
           {"thrusters", vehicle.mounts},
           {"thruster_names", names},
+          {"mounts", mounts},
           {"cruise_m_s", vehicle.cruise_speed_m_s},
           {"most_speed_m_s", envelope.most_speed_m_s > 0 ? json(envelope.most_speed_m_s) : nullptr},
           {"stand_off_m", envelope.stand_off_m > 0 ? json(envelope.stand_off_m) : nullptr},
@@ -131,7 +140,14 @@ json turbines_json(const std::optional<twin::StandingTurbines>& turbines) {
   return {{"hub_height_m", turbines->kind->hub_height_m},
           {"rotor_diameter_m", turbines->kind->rotor_diameter_m},
           {"rated_w", turbines->kind->rated_power_w},
+          {"curve", curve_json(*turbines->kind)},
           {"places", places}};
+}
+
+json thrust_json(std::size_t vehicle, const VehicleNow& now) {
+  json shares = json::array();
+  for (const double share : now.thrust) shares.push_back(rounded(share, 0.02));
+  return {{"is", "thrust"}, {"vehicle", vehicle}, {"share", shares}};
 }
 
 json line_json(std::size_t vehicle, const VehicleNow& now) {

@@ -27,6 +27,8 @@ using api::action_json;
 [[nodiscard]] nlohmann::json turbines_json(const std::optional<twin::StandingTurbines>& turbines);
 /// A tether as it hangs: [east, north, up m] each node.
 [[nodiscard]] nlohmann::json line_json(std::size_t vehicle, const VehicleNow& now);
+/// What its thrusters do.
+[[nodiscard]] nlohmann::json thrust_json(std::size_t vehicle, const VehicleNow& now);
 [[nodiscard]] nlohmann::json traffic_json(const Surroundings& around);
 /// @param led_by  who leads it; empty: nobody
 [[nodiscard]] nlohmann::json weather_json(const Surroundings& around, double time_s,

@@ -64,6 +64,18 @@ Pose pose_of(const twin::Agent& agent, const twin::AgentState& state, std::size_
   return pose;
 }
 
+/// What each thruster gave in the last step, as a share of what it can.
+std::vector<double> thrust_of(const twin::Agent& agent, const twin::AgentState& state) {
+  const twin::Allocation& can = agent.autopilot->allocation;
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < agent.vehicle->mounts; ++i) {
+    const double thrust_n = state.vehicle.thrust_n[i];
+    const double most_n = thrust_n < 0 ? -can.least_n[i] : can.most_n[i];
+    shares.push_back(most_n > 0 ? std::clamp(thrust_n / most_n, -1.0, 1.0) : 0);
+  }
+  return shares;
+}
+
 /// When a hold for want of a helm becomes the way home.
 std::optional<double> home_at_s(const twin::Agent& agent, const twin::HelmState& helm) {
   const bool is_for_want =
@@ -83,6 +95,7 @@ RunNow RunLook::look() {
   for (std::size_t i = advice_.size(); i < agents.size(); ++i) {
     advice_.emplace_back(states[i], now.time_s);
     reserve_.emplace_back();
+    looks_.emplace_back();
     reserve_at_s_ = -1;
   }
   const bool looks_at_reserve =
@@ -111,6 +124,8 @@ RunNow RunLook::look() {
     vehicle.waypoints = live::waypoints_left(state);
     if (vehicle.waypoints.size() > most_waypoints) vehicle.waypoints.resize(most_waypoints);
     if (looks_at_reserve) {
+      if (agent.inspection)
+        looks_[i] = std::make_shared<const twin::InspectionState>(state.inspection);
       const auto at = hand_.start + Duration(static_cast<Duration::rep>(1000 * now.time_s));
       reserve_[i] = advice_[i].look(agent, state, at, now.time_s);
     }
@@ -123,6 +138,8 @@ RunNow RunLook::look() {
       const auto line = twin::hung_line(agent, state);
       vehicle.line_m.assign(line.begin(), line.end());
     }
+    vehicle.thrust = thrust_of(agent, state);
+    vehicle.looks = looks_[i];
     if (i >= alarms.size()) continue;
     for (const twin::Alarm& alarm : alarms[i])
       vehicle.alarms.push_back({alarm, twin::name_of_vessel(hand_.vessels, alarm.id), {}});

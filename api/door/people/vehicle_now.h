@@ -43,6 +43,9 @@ struct VehicleNow {
   std::optional<ZoneNow> zone;  ///< that it watches for animals
   /// Its tether from the top to the vehicle, NED; empty: it has none, or it has parted.
   std::vector<twin::Triple<double>> line_m;
+  std::vector<double> thrust;  ///< of each thruster, as a share of what it can; -1 to 1
+  /// How far its inspection has come, once a second; null: it inspects nothing.
+  std::shared_ptr<const twin::InspectionState> looks;
 };
 
 /// All vehicles at a barrier.
@@ -66,6 +69,7 @@ class RunLook {
   std::vector<dds::Reserve> reserve_;
   double reserve_at_s_ = -1;
   std::shared_ptr<const Surroundings> around_;
+  std::vector<std::shared_ptr<const twin::InspectionState>> looks_;
 };
 
 }  // namespace slackwater::people

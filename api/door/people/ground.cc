@@ -1,0 +1,103 @@
+#include "api/door/people/ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "api/door/people/told.h"
+
+namespace slackwater::people {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t across = 41;
+constexpr double least_half_m = 200, most_half_m = 10'000, margin_m = 200;
+constexpr double curve_step_m_s = 0.5;
+
+json centimetres(double value_m) { return std::round(value_m * 100) / 100 + 0.0; }
+
+json triple_json(const twin::Triple<double>& ned_m) {
+  return {centimetres(ned_m.y), centimetres(ned_m.x), centimetres(-ned_m.z)};
+}
+
+/// Half the width of a square about the origin that has all that stands, lies and goes there.
+double half_m(const api::RunInHand& hand) {
+  double farthest_m = 0;
+  const auto reach = [&](double east_m, double north_m) {
+    farthest_m = std::max({farthest_m, std::abs(east_m), std::abs(north_m)});
+  };
+  for (const twin::AgentState& state : hand.run.states())
+    reach(state.vehicle.body.position_m.y, state.vehicle.body.position_m.x);
+  if (hand.environment->turbines)
+    for (const Horizontal at_m : hand.environment->turbines->at_m) reach(at_m.real(), at_m.imag());
+  for (const twin::MooringLine& line : hand.water.lines.moorings)
+    reach(line.anchor_m.y, line.anchor_m.x);
+  return std::clamp(farthest_m + margin_m, least_half_m, most_half_m);
+}
+
+std::optional<double> bed_up_m(const twin::EnvironmentSampler& water, double east_m,
+                               double north_m) {
+  const BedSample bed = water.bed({north_m, east_m, 0});
+  if (bed.status != SampleStatus::ok) return std::nullopt;
+  return -bed.water_depth_m;
+}
+
+}  // namespace
+
+json bed_json(const api::RunInHand& hand) {
+  const twin::EnvironmentSampler& water = *hand.run.agents().front().water;
+  const double half = half_m(hand), step_m = 2 * half / (across - 1);
+  json up_m = json::array();
+  bool is_known = false;
+  for (std::size_t row = 0; row < across; ++row)
+    for (std::size_t column = 0; column < across; ++column) {
+      const auto bed = bed_up_m(water, -half + step_m * static_cast<double>(column),
+                                -half + step_m * static_cast<double>(row));
+      up_m.push_back(bed ? centimetres(*bed) : json(nullptr));
+      is_known = is_known || bed;
+    }
+  if (!is_known) return nullptr;
+  return {{"east_m", -half},
+          {"north_m", -half},
+          {"step_m", step_m},
+          {"across", across},
+          {"up_m", up_m}};
+}
+
+json cables_json(const api::RunInHand& hand) {
+  const twin::EnvironmentSampler& water = *hand.run.agents().front().water;
+  json cables = json::array();
+  for (const twin::WorkCable& cable : hand.water.lines.cables) {
+    json route = json::array();
+    for (twin::Triple<double> at_m : cable.route_m) {
+      at_m.z = -bed_up_m(water, at_m.y, at_m.x).value_or(-at_m.z);
+      route.push_back(triple_json(at_m));
+    }
+    cables.push_back({{"id", cable.id},
+                      {"route", route},
+                      {"burial_m", cable.burial_m ? json(*cable.burial_m) : json(nullptr)}});
+  }
+  return cables;
+}
+
+json moorings_json(const twin::SiteLines& lines) {
+  json moorings = json::array();
+  for (const twin::MooringLine& line : lines.moorings)
+    moorings.push_back({{"id", line.id},
+                        {"fairlead", triple_json(line.fairlead_m)},
+                        {"anchor", triple_json(line.anchor_m)}});
+  return moorings;
+}
+
+json curve_json(const Turbine& kind) {
+  json curve = json::array();
+  const auto steps =
+      static_cast<std::size_t>(std::ceil(kind.cut_out_speed_m_s / curve_step_m_s)) + 2;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const double wind_m_s = curve_step_m_s * static_cast<double>(i);
+    curve.push_back({wind_m_s, std::round(kind.power_w(wind_m_s) / 1e3) * 1e3});
+  }
+  return curve;
+}
+
+}  // namespace slackwater::people

@@ -1,0 +1,24 @@
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "api/ask/run/scenario_run.h"
+
+namespace slackwater::people {
+
+// What lies in the water of a run and does not change while it goes on; api/docs/session_wire.md.
+
+/// The bed about the origin as the vehicles have it, on a square grid as wide as what stands and
+/// goes there: {east_m, north_m, step_m, across, up_m}, rows from the south, each from the west;
+/// null where nobody knows the bed. Null: nobody knows it anywhere.
+[[nodiscard]] nlohmann::json bed_json(const api::RunInHand& hand);
+
+/// [{id, route, burial_m}], on the bed where it is known.
+[[nodiscard]] nlohmann::json cables_json(const api::RunInHand& hand);
+
+/// [{id, fairlead, anchor}]: the straight way between the ends of each line.
+[[nodiscard]] nlohmann::json moorings_json(const twin::SiteLines& lines);
+
+/// Power against wind of a turbine, [[wind m/s, power W]], from calm to beyond cut-out.
+[[nodiscard]] nlohmann::json curve_json(const Turbine& kind);
+
+}  // namespace slackwater::people
