@@ -57,6 +57,8 @@ class Scoring {
     const Commands commands = read_commands(log_);
     for (const SessionAction& action : actions_)
       if (is_command(action)) count(action);
+    for (const auto& [seat, attention] : attention_of(actions_))
+      score_.people[seats_.at(seat)].attention = attention;
     take_turns(helm_history_of(actions_, account_.ran_s));
     take_missions(commands);
     for (PersonScore& person : score_.people) {
@@ -71,7 +73,7 @@ class Scoring {
  private:
   void take_seat(const SessionAction& action) {
     const auto [place, is_new] = seats_.try_emplace(action.seat, score_.people.size());
-    if (is_new) score_.people.push_back({action.seat, action.who, action.role, {}});
+    if (is_new) score_.people.push_back({action.seat, action.who, action.role, {}, {}});
   }
   HelmScore& helm_of(PersonScore& person, const std::string& vehicle) {
     const auto found = std::find_if(person.helms.begin(), person.helms.end(),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/log/at_limits.h"
+#include "api/log/attention.h"
 #include "ingest/cf/trajectory_file.h"
 #include "twin/account/vehicle_account.h"
 #include "twin/scenario/scenario.h"
@@ -46,8 +47,9 @@ struct HelmScore {
 struct PersonScore {
   unsigned seat = 0;
   std::string name;
-  std::string role;              ///< "operator"
-  std::vector<HelmScore> helms;  ///< by the name of the vehicle
+  std::string role;                    ///< "operator"
+  std::vector<HelmScore> helms;        ///< by the name of the vehicle
+  std::optional<Attention> attention;  ///< nothing: it had none kept
 };
 
 /// How often somebody stepped in.

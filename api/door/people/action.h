@@ -8,6 +8,9 @@ namespace slackwater::people {
 
 using Action = store::SessionAction;
 
+/// The row of what somebody looked at who wanted it kept: of the record, and told to nobody.
+inline constexpr const char* attend_row = "attend";
+
 /// What was done in a session, in order. Not thread-safe.
 class ActionRecord {
  public:

@@ -24,8 +24,6 @@ constexpr Milliseconds lines_every_ms = 200;
 constexpr Milliseconds unheard_ms = 5'000;
 /// Of what a run as fast as it goes leaves for the session: more than its frames show.
 constexpr auto look_every = std::chrono::milliseconds(10);
-const char* const many_deeds =
-    "found more than 10 orders a second (beside sticks and trials); send fewer";
 
 std::string token_in(const Request& request) {
   std::string token;
@@ -219,6 +217,7 @@ void Session::heard(Station& station, const StationSays& says) {
   seats_.confirm(station.seat);
   if (keeps_in_touch(station, says, clock())) return;
   if (what == "look") return gathering_.look(*seats_.find(station.seat), says);
+  if (what == "attend") return attend(station, says);
   if (Gathering::knows(what)) return gather(station, says);
   if (what == "say") {
     if (!station.deeds.take(clock())) return turn_out(station, CloseCode::too_many, many_deeds);

@@ -89,11 +89,14 @@ class Session final : public api::http::WebSocketHandler {
   void welcome(Station& station, const Seats::Taken& taken);
   void heard(Station& station, const StationSays& says);
   void gather(Station& station, const StationSays& says);
+  void attend(Station& station, const StationSays& says);
   void desk_work(Station& station, const StationSays& says);
   void note_stick(Station& station, const StationSays& says, const Said& said);
   void end_stick(Station& station);
   /// @param count  of sticks, at their end
   void record(const Seat& seat, std::string what, const Said& said, std::uint64_t count = 1);
+  const Action& add_to_record(const Seat& seat, std::string what, const Said& said,
+                              std::uint64_t count);
   void drop_seat(unsigned seat, const std::string& why);
   void tell_seats();
   void tell_helms();

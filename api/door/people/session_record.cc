@@ -18,6 +18,13 @@ bool is_refused_alike(const std::optional<twin::Refusal>& a,
 /// Of a run that is over nothing more is told: its log is written.
 void Session::record(const Seat& seat, std::string what, const Said& said, std::uint64_t count) {
   if (is_over_) return;
+  nlohmann::json told = action_json(add_to_record(seat, std::move(what), said, count));
+  told["is"] = "action";
+  tell_all(told);
+}
+
+const Action& Session::add_to_record(const Seat& seat, std::string what, const Said& said,
+                                     std::uint64_t count) {
   Action row;
   row.at = settings_.now();
   row.time_s = now_.time_s;
@@ -33,9 +40,23 @@ void Session::record(const Seat& seat, std::string what, const Said& said, std::
   if (said.refused) row.reason = twin::name_of(said.refused->reason);
   row.count = count;
   row.why = said.refused ? said.refused->text : said.why;
-  nlohmann::json told = action_json(record_.add(std::move(row)));
-  told["is"] = "action";
-  tell_all(told);
+  return record_.add(std::move(row));
+}
+
+/// What somebody looks at who wants it kept: in the record, and told to nobody.
+void Session::attend(Station& station, const StationSays& says) {
+  if (!station.deeds.take(clock())) return turn_out(station, CloseCode::too_many, many_deeds);
+  const std::string by = says.text("by", 10);
+  if (by != "head" && by != "pointer" && by != "off")
+    throw Error(ErrorKind::invalid_input,
+                "attend: found by: '" + by + "', expected head, pointer or off");
+  Said said;
+  said.before = station.attends_to;
+  said.after = by == "off" ? "" : says.text_or_empty("on", 100);
+  said.why = by;
+  station.attends_to = said.after;
+  if (!is_over_) add_to_record(*seats_.find(station.seat), attend_row, said, 1);
+  tell(station, {{"is", "answer"}, {"id", says.id()}, {"taken", true}});
 }
 
 void Session::note_stick(Station& station, const StationSays& says, const Said& said) {

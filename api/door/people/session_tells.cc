@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "api/door/people/session.h"
 
 // What the stations of a session are told. With the lock held.
@@ -79,9 +81,9 @@ void Session::welcome(Station& station, const Seats::Taken& taken) {
   for (const Seat& one : seats_.all()) seats.push_back(seat_json(one));
   json rows = json::array();
   const auto& all = record_.all();
-  for (std::size_t i = all.size() > rows_in_welcome ? all.size() - rows_in_welcome : 0;
-       i < all.size(); ++i)
-    rows.push_back(action_json(all[i]));
+  for (std::size_t i = all.size(); i-- > 0 && rows.size() < rows_in_welcome;)
+    if (all[i].what != attend_row) rows.push_back(action_json(all[i]));
+  std::reverse(rows.begin(), rows.end());
   welcome["vehicles"] = vehicles;
   welcome["helms"] = helms;
   welcome["status"] = status;

@@ -17,12 +17,17 @@ struct StickRow {
   std::size_t vehicle = 0;
 };
 
+/// What a station is turned out for that does more than its `deeds`.
+inline constexpr const char* many_deeds =
+    "found more than 10 orders a second (beside sticks and trials); send fewer";
+
 /// A connection of a session, with or without a seat.
 struct Station : Connection {
   std::string token;        ///< that it came with; emptied once it has a seat
   unsigned seat = 0;        ///< 0: it has not said hello
   Allowance deeds{10, 60};  ///< those that leave a row in the record
   std::optional<StickRow> stick;
+  std::string attends_to;   ///< where it has that kept; empty: nothing with a name
   bool is_unheard = false;  ///< its helms are lost until it says something
 };
 

@@ -75,6 +75,13 @@ json helm_json(const HelmScore& helm, double ran_s, bool is_supervisor) {
           {"at_limits", helm.at_limits ? at_limits_json(*helm.at_limits) : json(nullptr)}};
 }
 
+json attention_json(const Attention& attention) {
+  json on = json::array();
+  for (const auto& [name, for_s] : attention.on_s)
+    on.push_back({{"name", name.empty() ? json(nullptr) : json(name)}, {"for_s", for_s}});
+  return {{"kept_s", attention.kept_s}, {"on", on}};
+}
+
 }  // namespace
 
 json people_score_json(const PeopleScore& score) {
@@ -84,10 +91,12 @@ json people_score_json(const PeopleScore& score) {
     json vehicles = json::array();
     for (const HelmScore& helm : person.helms)
       vehicles.push_back(helm_json(helm, score.ran_s, person.role == "supervisor"));
-    people.push_back({{"seat", person.seat},
-                      {"name", person.name},
-                      {"role", person.role},
-                      {"vehicles", vehicles}});
+    people.push_back(
+        {{"seat", person.seat},
+         {"name", person.name},
+         {"role", person.role},
+         {"vehicles", vehicles},
+         {"attention", person.attention ? attention_json(*person.attention) : json(nullptr)}});
   }
   json stepped_in = json::object();
   for (const auto& [role, count] : score.by_role)

@@ -107,6 +107,20 @@ std::string helm_text(const HelmScore& helm, double ran_s) {
   return text;
 }
 
+/// "    looked at, kept for 1.1 min: rov 64 %, COASTER 10 %, nothing with a name 26 %"
+std::string attention_text(const Attention& attention) {
+  if (!(attention.kept_s > 0)) return "    looked at: kept for no time\n";
+  std::vector<std::pair<double, std::string>> parts;
+  for (const auto& [name, for_s] : attention.on_s)
+    parts.emplace_back(-for_s, formatted("{} {:.0f} %", name.empty() ? "nothing with a name" : name,
+                                         100 * for_s / attention.kept_s));
+  std::sort(parts.begin(), parts.end());
+  std::vector<std::string> words;
+  for (const auto& [order, text] : parts) words.push_back(text);
+  return formatted("    looked at, kept for {:.1f} min: {}\n", attention.kept_s / 60,
+                   joined(words, ", "));
+}
+
 /// The mean, and the deviation of more than one.
 std::string or_dash(const std::vector<double>& values, int decimals, double scale = 1) {
   if (values.empty()) return "-";
@@ -129,6 +143,7 @@ std::string people_score_text(const std::string& run, const PeopleScore& score) 
     text += formatted("  {}, {}, seat {}\n", person.name, person.role, person.seat);
     for (const HelmScore& helm : person.helms) text += helm_text(helm, score.ran_s);
     if (person.helms.empty()) text += "    asked for no vehicle\n";
+    if (person.attention) text += attention_text(*person.attention);
   }
   for (const auto& [role, count] : score.by_role) {
     if (count.off_mission + count.off_helm == 0) continue;

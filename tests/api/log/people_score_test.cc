@@ -271,6 +271,40 @@ TEST(PeopleScore, ALostHelmIsGotAfterTheCountdownAndIsAnothers) {
   EXPECT_DOUBLE_EQ(helm_of(score, 2).at_helm_s, 23);
 }
 
+SessionAction attends(const Hand& hand, double at_s, const std::string& on, const std::string& by) {
+  SessionAction row = hand.does(at_s, "attend", "", on, "");
+  row.why = by;
+  return row;
+}
+
+// Each object until the next one; not while it was off, cut off, or after the seat was left.
+TEST(PeopleScore, AttentionIsAddedUpFromRowToRow) {
+  const Log log({ann.is(0, "join"), bob.is(0, "join"), attends(ann, 5, "rov", "pointer"),
+                 attends(ann, 15, "COASTER", "head"), attends(ann, 17, "rov", "head"),
+                 attends(ann, 20, "", "off"), attends(ann, 30, "", "head"), ann.is(32, "cut_off"),
+                 ann.is(40, "come_back"), attends(ann, 41, "pile", "head"), ann.is(45, "leave"),
+                 bob.is(50, "leave")});
+  const PeopleScore score = log.scored();
+  ASSERT_EQ(score.people.size(), 2U);
+  EXPECT_FALSE(score.people[1].attention);
+  ASSERT_TRUE(score.people[0].attention);
+  EXPECT_DOUBLE_EQ(score.people[0].attention->kept_s, 10 + 2 + 3 + 2 + 4);
+  EXPECT_EQ(score.people[0].attention->on_s,
+            (std::map<std::string, double>{{"rov", 13}, {"COASTER", 2}, {"", 2}, {"pile", 4}}));
+  EXPECT_TRUE(contains(people_score_text("run", score),
+                       "looked at, kept for 0.3 min: rov 62 %, pile 19 %, COASTER 10 %, nothing "
+                       "with a name 10 %"));
+  const nlohmann::json json = people_score_json(score);
+  EXPECT_TRUE(json["seats"][1]["attention"].is_null());
+  EXPECT_EQ(json["seats"][0]["attention"]["kept_s"], 21);
+  EXPECT_TRUE(json["seats"][0]["attention"]["on"][0]["name"].is_null()) << "nothing with a name";
+}
+
+TEST(PeopleScore, AttentionThatIsOpenAtTheEndCountsToTheLastRow) {
+  const Log log({ann.is(0, "join"), attends(ann, 5, "rov", "pointer"), bob.is(25, "join")});
+  EXPECT_DOUBLE_EQ(log.scored().people[0].attention->on_s.at("rov"), 20);
+}
+
 // What is given back goes to whoever asks for it: nothing is taken from anybody.
 TEST(PeopleScore, AHelmThatIsGivenBackIsHadAndNotTaken) {
   const Log log({ann.does(10, "ask", "free", "held"), bob.does(22, "ask", "held", "requested"),

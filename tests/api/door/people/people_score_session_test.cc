@@ -78,5 +78,53 @@ TEST(PeopleScoreOfASession, IsWhatPeopleDid) {
   EXPECT_EQ(bobs.at_limits->stand_off_breaches, 0U) << "it never was outside";
 }
 
+// What somebody looks at is kept where that is asked for, and told to nobody else.
+TEST(PeopleScoreOfASession, HasWhatSomebodyLookedAtWhoWantedItKept) {
+  SessionUnderWay run(rov_at_pile);
+  StationClient ann(run, run.token(Role::looks_on)), bob(run, run.token(Role::looks_on));
+  (void)ann.hello("Ann"), (void)bob.hello("Bob");
+  const auto attends = [&](const std::string& on, const std::string& by) {
+    expect_taken(ann.asks({{"do", "attend"}, {"on", on}, {"by", by}}));
+  };
+  attends("rov", "pointer");
+  ann.listen(600ms);
+  attends("", "head");
+  ann.listen(300ms);
+  attends("structure 1", "head");
+  ann.listen(300ms);
+  attends("", "off");
+  ann.listen(400ms);
+  bob.listen(100ms);
+  StationClient late(run, run.token(Role::looks_on));
+  const json welcome = late.hello("Cid");
+  for (const json& row : welcome.at("actions")) EXPECT_NE(row["what"], "attend");
+  for (const StationClient* client : {&ann, &bob})
+    for (const json& is : client->messages)
+      EXPECT_TRUE(is["is"] != "action" || is["what"] != "attend") << is;
+  attends("rov", "pointer");
+  ann.hang_up();
+  bob.listen(300ms);
+  const TemporaryFolder folder;
+  ingest::write_trajectories(run.ended().file, folder / "log.nc");
+  const api::PeopleScore score =
+      api::scorecard_of(ingest::read_trajectories(folder / "log.nc")).people;
+  ASSERT_EQ(score.people.size(), 3U);
+  EXPECT_FALSE(score.people[1].attention) << "Bob did not ask for it";
+  ASSERT_TRUE(score.people[0].attention);
+  const api::Attention& kept = *score.people[0].attention;
+  EXPECT_NEAR(kept.on_s.at("rov"), 0.6, 0.25);
+  EXPECT_NEAR(kept.on_s.at(""), 0.3, 0.15);
+  EXPECT_NEAR(kept.on_s.at("structure 1"), 0.3, 0.15);
+  EXPECT_NEAR(kept.kept_s, 1.2, 0.4) << "not while it was off, nor after the link was cut";
+}
+
+TEST(PeopleScoreOfASession, AttentionByNothingKnownIsRefused) {
+  SessionUnderWay run(rov_at_pile);
+  StationClient ann(run, run.token(Role::looks_on));
+  (void)ann.hello("Ann");
+  const json answer = ann.asks({{"do", "attend"}, {"on", "rov"}, {"by", "nose"}});
+  expect_refused(answer, "unreadable", "expected head, pointer or off");
+}
+
 }  // namespace
 }  // namespace slackwater::tests::people_score_session_test
