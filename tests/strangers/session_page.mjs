@@ -444,6 +444,43 @@ const steps = {
     return note;
   },
 
+  async "a place of a way is put into the scene and lifted without a key"() {
+    await sue.page.bringToFront();
+    await sue.press("Edit the way");
+    await sue.press("Place");
+    const since_ms = await sue.now();
+    const trial = (since_ms) => heard.said.findLast((it) => it.do === "waypoints" && it.at_ms >= since_ms)?.places.at(-1);
+    await sue.page.focus("#scene-canvas");
+    await sue.page.keyboard.press("Enter"); // in the middle: at the vehicle that is followed, or near it
+    const placed = await sue.until("a trial of the place", trial, since_ms);
+    await sue.press("Up");
+    await sue.press("Up");
+    const lifted = await sue.until("a trial of the lift", (since_ms, up_m) => {
+      const place = heard.said.findLast((it) => it.do === "waypoints" && it.at_ms >= since_ms).places.at(-1);
+      return place.up_m > up_m + 0.9 && place;
+    }, since_ms, placed.up_m);
+    assert(Math.abs(lifted.up_m - placed.up_m - 1) < 0.11 && lifted.east_m === placed.east_m, JSON.stringify([placed, lifted]));
+    assert((await sue.said("waypoints", since_ms)).every((it) => it.is_trial), "nothing is sent but trials");
+    await sue.press("Delete");
+    await sue.press("Drop the changes");
+    return `${placed.east_m} E, ${placed.north_m} N, ${-placed.up_m} then ${-lifted.up_m} m deep`;
+  },
+
+  async "what somebody looks at is kept when that is wanted, and not before"() {
+    const hover = async (at) => (await sue.page.$(at)).hover();
+    await hover(".weather h2");
+    await sue.page.waitForFunction(() => new Promise((done) => setTimeout(() => done(true), 800)));
+    assert.deepEqual(await sue.said("attend"), [], "nothing without being asked");
+    await sue.press("Keep what I look at");
+    await hover(".weather h2");
+    await sue.until("the panel looked at", () => heard.said.some((it) => it.do === "attend" && it.on === "Weather" && it.by === "pointer"));
+    await sue.press("What I look at is kept");
+    await sue.until("its end", () => heard.said.some((it) => it.do === "attend" && it.by === "off"));
+    const rows = await bob.page.evaluate(() => document.querySelector(".log").textContent);
+    assert(!rows.includes("attend"), "the others are told nothing of it");
+    return (await sue.said("attend")).map((it) => `${it.by} ${it.on ?? ""}`).join(", ");
+  },
+
   async "a lesson is done with the weather, for all, and given back"() {
     await sue.press("Battery against current");
     await sue.press("About eight times as much");
@@ -457,8 +494,20 @@ const steps = {
     await bob.page.bringToFront();
     await bob.until("the run's own current", () => !document.querySelector(".weather").textContent.includes("set by hand"));
     await sue.page.bringToFront();
+    await sue.page.click(".own-weather summary");
+    const [wind] = await sue.page.$$(".own-weather input");
+    await wind.focus();
+    await sue.page.keyboard.press("ArrowRight");
+    await sue.reads(".own-weather", /set by hand/);
+    await bob.page.bringToFront();
+    const slid = await bob.reads(".weather .facts", /Wind at 10 m[^·]* · set by hand/);
+    await sue.page.bringToFront();
+    await sue.press("All by itself");
+    await bob.page.bringToFront();
+    await bob.until("the run's own wind", () => !document.querySelector(".weather").textContent.includes("set by hand"));
+    await sue.page.bringToFront();
     await sue.press("Why an inspection missed a crack"); // for axe-core
-    return led;
+    return `${led}; ${slid}`;
   },
 
   async "axe-core finds nothing, and nothing is wider than its window"() {

@@ -79,7 +79,7 @@ export function set_hidden(node: HTMLElement, hidden: boolean): void {
   if (node.hidden !== hidden) node.hidden = hidden;
 }
 
-export function set_disabled(node: HTMLButtonElement, disabled: boolean): void {
+export function set_disabled(node: HTMLButtonElement | HTMLInputElement, disabled: boolean): void {
   if (node.disabled !== disabled) node.disabled = disabled;
 }
 

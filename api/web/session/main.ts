@@ -8,6 +8,7 @@ import { button, by_id, element, set_hidden } from '../look/element';
 import { notice } from './look/notice';
 import { use_palette } from './look/palette';
 import { load_settings } from './look/settings';
+import { attention_button } from './panel/attention_button';
 import { camera_panel } from './panel/camera_panel';
 import { drive_panel } from './panel/drive_panel';
 import { helm_panel, helm_words } from './panel/helm_panel';
@@ -37,6 +38,7 @@ import { empty_session, show_frame, tell, vehicle_name } from './session/state';
 import { Wire, type LinkState } from './session/wire';
 import { Station, type Panel } from './station';
 import { draw_depth, type Along } from './view/depth_view';
+import { gazed_on_page } from './view/gazed';
 import { PlanView } from './view/plan_view';
 import { Tracks } from './view/tracks';
 
@@ -192,6 +194,12 @@ const scene = scene_panel(station, way, () => {
   canvases_are_old = true;
 });
 by_id('plan-tools').append(scene.opener, plan_buttons);
+const gazed = gazed_on_page(
+  scene,
+  { canvas: plan_canvas, to_pixel: (at) => plan.camera.to_pixel(at) },
+  () => station.session,
+);
+people.box.append(element('div', { class: 'buttons' }, attention_button(station, gazed)));
 let along: Along = 'time';
 const by_distance = button(
   'Over distance',

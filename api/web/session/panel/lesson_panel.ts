@@ -4,7 +4,9 @@ import { button, element, set_disabled, set_hidden, set_text } from '../../look/
 import type { Lesson, Watched } from '../lessons/lesson';
 import { level_text, metres_text, percent_text, span_text, speed_text } from '../look/units';
 import type { Panel, Station } from '../station';
+import { farm_curve } from './farm_curve';
 import { farm_text } from './weather_panel';
+import { weather_sliders } from './weather_sliders';
 
 const SETTLES_S = 10;
 const NAMES: Record<Watched, string> = {
@@ -64,7 +66,16 @@ export function lesson_panel(station: Station, lessons: readonly Lesson[]): Less
   let open: Lesson | null = null;
   let is_led = false;
   const inside = element('div', {});
-  const box = element('section', { class: 'lessons' }, element('h2', {}, 'Lessons'), inside);
+  const sliders = weather_sliders(station);
+  const curve = farm_curve();
+  const box = element(
+    'section',
+    { class: 'lessons' },
+    element('h2', {}, 'Lessons'),
+    inside,
+    curve.box,
+    sliders.box,
+  );
   let watched: { what: Watched; value: HTMLElement }[] = [];
   let doing: HTMLButtonElement | null = null;
 
@@ -89,8 +100,9 @@ export function lesson_panel(station: Station, lessons: readonly Lesson[]): Less
     );
   };
   const reset = (): boolean => {
-    if (is_led && !lead({})) return false;
+    if ((is_led || sliders.holds()) && !lead({})) return false;
     is_led = false;
+    sliders.let_go();
     show_list();
     return true;
   };
@@ -143,6 +155,9 @@ export function lesson_panel(station: Station, lessons: readonly Lesson[]): Less
     show: () => {
       set_hidden(box, station.session.playback !== null);
       if (doing !== null) set_disabled(doing, !station.is_supervisor());
+      sliders.show();
+      const { turbines, weather } = station.session;
+      curve.show(turbines, weather, station.settings.speed_unit);
       if (open === null) return;
       for (const { what, value } of watched) set_text(value, watched_text(station, what));
     },

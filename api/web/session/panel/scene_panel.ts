@@ -3,12 +3,14 @@ import { button, by_id, choice, element, set_hidden, set_text } from '../../look
 import { SceneView, type Shown } from '../scene/scene_view';
 import { approaches_in } from '../scene/approach';
 import type { Stand } from '../scene/eye';
+import type { InPicture } from '../scene/handles';
 import { scene_in_words } from '../scene/in_words';
 import type { Session } from '../session/state';
 import type { Station } from '../station';
 import { current_tools } from './current_tools';
 import { scene_people } from './scene_people';
 import { in_picture, way_hand } from './way_hand';
+import { way_tools } from './way_tools';
 import type { WaypointEdit } from './waypoint_edit';
 
 const TURN_RAD_PER_PX = 0.006;
@@ -19,6 +21,9 @@ const LIFT_BY_KEY_M = 0.5;
 export interface ScenePanel {
   readonly opener: HTMLButtonElement;
   is_open(): boolean;
+  /** The name of what is seen at a place of the window, or in the middle; empty: it has none. */
+  named_at(at: { clientX: number; clientY: number }): string;
+  named_ahead(): string;
   /** Draws, if it is open. */
   draw(shown: Shown): void;
 }
@@ -42,7 +47,7 @@ export function scene_panel(
     'aria-label':
       'The scene in depth. Arrow keys turn, plus and minus come closer, ' +
       'page up and page down lift and lower the picked place of a way, ' +
-      'Enter points at the middle where Point is pressed. ' +
+      'Enter points at the middle, or puts a place there, where Point or Place is pressed. ' +
       'The table of vehicles says the same in words.',
   });
   const labels = element('div', { class: 'scene-labels', 'aria-hidden': true });
@@ -99,6 +104,8 @@ export function scene_panel(
     { 'aria-pressed': 'false' },
   );
   const people = scene_people(station, on_change);
+  const hand = way_hand(way);
+  const on_way = way_tools(way, hand);
   const words = element('ul', {});
   const in_words = element(
     'details',
@@ -116,6 +123,7 @@ export function scene_panel(
     wakes,
     ...current.nodes,
     ...people.nodes,
+    ...on_way.nodes,
   );
   const box = element('div', { id: 'scene', hidden: true }, canvas, labels, note, tools, in_words);
   by_id('plan').after(box);
@@ -144,15 +152,18 @@ export function scene_panel(
     { 'aria-pressed': 'false' },
   );
 
-  const hand = way_hand(way);
   let from: { x: number; y: number } | null = null;
   const turn = (right_rad: number, up_rad: number): void => {
     view?.eye.turn(right_rad, up_rad);
     on_change();
   };
+  /** True: a place of a way was put there, or it is pointed at. */
+  const press = (at: InPicture): boolean =>
+    (view !== null && on_way.put(view.eye.camera, at)) ||
+    people.press(() => view?.place_under(at) ?? null);
   canvas.addEventListener('pointerdown', (event) => {
     const at = in_picture(canvas, event);
-    if (people.press(() => view?.place_under(at) ?? null)) return;
+    if (press(at)) return;
     if (view !== null && hand.take(view.eye.camera, at)) {
       canvas.setPointerCapture(event.pointerId);
       return;
@@ -161,8 +172,8 @@ export function scene_panel(
     canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener('pointermove', (event) => {
-    if (view !== null && hand.move(view.eye.camera, in_picture(canvas, event), event.shiftKey))
-      return;
+    const is_upright = event.shiftKey || on_way.is_up_and_down();
+    if (view !== null && hand.move(view.eye.camera, in_picture(canvas, event), is_upright)) return;
     if (from === null) return;
     turn((event.clientX - from.x) * TURN_RAD_PER_PX, (event.clientY - from.y) * TURN_RAD_PER_PX);
     from = { x: event.clientX, y: event.clientY };
@@ -192,7 +203,7 @@ export function scene_panel(
       ArrowDown: () => turn(0, -TURN_BY_KEY_RAD),
       '+': () => closer(CLOSER_BY_STEP),
       '-': () => closer(1 / CLOSER_BY_STEP),
-      Enter: () => people.press(() => view?.place_under({ right: 0, up: 0 }) ?? null),
+      Enter: () => press({ right: 0, up: 0 }),
       PageUp: () => hand.lift(LIFT_BY_KEY_M),
       PageDown: () => hand.lift(-LIFT_BY_KEY_M),
     };
@@ -206,6 +217,8 @@ export function scene_panel(
   return {
     opener,
     is_open: () => !box.hidden,
+    named_at: (at) => view?.named_under(in_picture(canvas, at)) ?? '',
+    named_ahead: () => view?.named_under({ right: 0, up: 0 }) ?? '',
     draw: (now) => {
       shown = now;
       if (box.hidden) return;
@@ -213,6 +226,7 @@ export function scene_panel(
       set_hidden(wakes, now.session.turbines === null);
       current.show(now.session.weather?.currents ?? []);
       people.show();
+      on_way.show();
       if (view !== null) people.tell(view);
       if (in_words.open) show_words(words, now.session);
     },

@@ -20,6 +20,10 @@ export interface WaypointEdit extends Panel, PlanHand {
   pick(nth: number | null): void;
   /** Brings the picked one to a height, down negative. */
   lift(up_m: number): void;
+  /** Puts a place at the level of new ones. */
+  place(at: Plane): void;
+  new_up_m(): number;
+  remove_picked(): void;
   end(): void;
 }
 
@@ -298,6 +302,11 @@ export function waypoint_edit(
       if (it === undefined) return;
       it.up_m = Math.round(up_m * 10) / 10;
       changed();
+    },
+    place,
+    new_up_m,
+    remove_picked: () => {
+      if (picked !== null) remove(picked);
     },
     end,
     press: (_at, pixel) => {

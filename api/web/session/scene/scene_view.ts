@@ -90,6 +90,17 @@ export class SceneView {
     return up_m === null ? null : moved_level(camera, { east_m: 0, north_m: 0, up_m }, at);
   }
 
+  /** The name of what is seen there; empty: it has none, as the sea that hides the rest. */
+  named_under(at: InPicture): string {
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(at.right, at.up), this.eye.camera);
+    const things = this.scene.children.filter((it) => it.name !== '');
+    const [hit] = ray.intersectObjects(things, true);
+    let thing = hit?.object ?? null;
+    while (thing !== null && thing.parent !== this.scene) thing = thing.parent;
+    return thing !== null && PRESSED.test(thing.name) ? thing.name : '';
+  }
+
   draw({ session, tracks, chosen, draft }: Shown): void {
     const { clientWidth: wide, clientHeight: high } = this.canvas;
     if (wide < 2 || high < 2) return;

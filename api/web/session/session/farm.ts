@@ -5,6 +5,7 @@ export interface Turbines {
   hub_height_m: number;
   rotor_diameter_m: number;
   rated_w: number; // of each
+  curve: { wind_m_s: number; power_w: number }[]; // rising winds; empty: not told
   places: { east_m: number; north_m: number }[];
 }
 
@@ -34,7 +35,19 @@ export function read_turbines(value: unknown): Turbines | null {
     const [east_m, north_m] = as_list(one).map(as_number);
     if (east_m != null && north_m != null) places.push({ east_m, north_m });
   }
-  return { hub_height_m, rotor_diameter_m, rated_w: as_number(it.rated_w) ?? Number.NaN, places };
+  const rated_w = as_number(it.rated_w) ?? Number.NaN;
+  return { hub_height_m, rotor_diameter_m, rated_w, curve: read_curve(it.curve), places };
+}
+
+function read_curve(value: unknown): Turbines['curve'] {
+  const curve: Turbines['curve'] = [];
+  for (const one of as_list(value)) {
+    const [wind_m_s, power_w] = as_list(one).map(as_number);
+    const before_m_s = curve[curve.length - 1]?.wind_m_s ?? -Infinity;
+    if (wind_m_s == null || power_w == null || wind_m_s <= before_m_s) continue;
+    curve.push({ wind_m_s, power_w });
+  }
+  return curve;
 }
 
 export function read_farm(value: unknown): FarmNow | null {

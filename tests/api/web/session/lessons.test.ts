@@ -3,7 +3,10 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { fault_of, lessons, type Lesson } from 'page/lessons/lesson';
 import { class_of_address } from 'page/session/class_of_address';
+import { on_curve } from 'page/panel/farm_curve';
+import { read_turbines } from 'page/session/farm';
 import { Idle, KIOSK_WAITS_MS } from 'page/session/idle';
+import { slid_order } from 'page/session/slid';
 
 const titled = (title: string): Lesson => {
   const found = lessons.find((it) => it.title.startsWith(title));
@@ -61,4 +64,51 @@ test('a kiosk goes back once, when nobody has touched it for a while', () => {
   assert.equal(idle.is_over(2000 + KIOSK_WAITS_MS), false, 'once');
   idle.touch(3000 + KIOSK_WAITS_MS);
   assert.equal(idle.is_over(3000 + 2 * KIOSK_WAITS_MS), true);
+});
+
+test('sliders ask for what is held, and give the rest back to the run', () => {
+  const nothing = { wind: null, current: null, waves_m: null };
+  const far = { visibility_m: null, water_visibility_m: null };
+  assert.deepEqual(slid_order(new Map()), { ...nothing, ...far, over_s: 5 });
+  const held = new Map([
+    ['wind', 12],
+    ['wind_from', 240],
+    ['water_visibility', 0],
+  ] as const);
+  assert.deepEqual(slid_order(held), {
+    ...nothing,
+    wind: { speed_m_s: 12, from_deg: 240 },
+    visibility_m: null,
+    water_visibility_m: 0.5, // the end of the slider is not blindness
+    over_s: 5,
+  });
+});
+
+test('the curve of a turbine is read as far as it rises, and drawn to its ends', () => {
+  const told = [
+    [0, 0],
+    [10, 3e6],
+    [9, 1],
+    ['x', 2],
+    [null, 1],
+    [25, 5e6],
+  ];
+  const turbines = read_turbines({
+    hub_height_m: 90,
+    rotor_diameter_m: 126,
+    rated_w: 5e6,
+    curve: told,
+    places: [],
+  });
+  assert.ok(turbines !== null);
+  assert.deepEqual(
+    turbines.curve.map((it) => it.wind_m_s),
+    [0, 10, 25],
+  );
+  const [calm, storm] = [on_curve(turbines, 0, 0), on_curve(turbines, 25, 5e6)];
+  const middle = on_curve(turbines, 12.5, 2.5e6);
+  near(middle.x, (calm.x + storm.x) / 2, 1e-9);
+  near(middle.y, (calm.y + storm.y) / 2, 1e-9);
+  assert.ok(storm.y < calm.y && storm.x > calm.x, 'more is up and to the right');
+  assert.deepEqual(on_curve(turbines, 99, 9e6), storm, 'nothing is drawn outside');
 });

@@ -1,0 +1,55 @@
+// What somebody looks at, for those who want it kept: fixations count, glances do not.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Attention, GLANCE_MS, type Gaze } from 'page/session/attention';
+import { empty_session } from 'page/session/state';
+import { read_structures, read_vehicle } from 'page/session/message';
+import { named_on_plan } from 'page/view/gazed';
+import { pose_with } from './pose_for_tests';
+
+const at = (on: string): Gaze => ({ on, by: 'pointer' });
+
+test('a thing is told once it has held the gaze, and once', () => {
+  const attention = new Attention();
+  const told: [number, string][] = [];
+  // From 0 on the rov, a glance of 200 ms at the pile, back, and from 1500 ms on nothing.
+  for (let ms = 0; ms <= 2500; ms += 50) {
+    const on = ms >= 1500 ? '' : ms >= 800 && ms < 1000 ? 'pile' : 'rov';
+    const news = attention.take(at(on), ms);
+    if (news !== null) told.push([ms, news.on]);
+  }
+  assert.deepEqual(told, [
+    [GLANCE_MS, 'rov'],
+    [1500 + GLANCE_MS, ''],
+  ]);
+});
+
+test('its end is told where there was a beginning', () => {
+  const attention = new Attention();
+  assert.equal(attention.ends(), false);
+  attention.take(at('rov'), 0);
+  assert.equal(attention.ends(), false, 'a glance was not told');
+  attention.take(at('rov'), 0);
+  attention.take(at('rov'), GLANCE_MS);
+  assert.equal(attention.ends(), true);
+  assert.equal(attention.ends(), false);
+  attention.take(at('rov'), 2 * GLANCE_MS);
+  assert.notEqual(attention.take(at('rov'), 3 * GLANCE_MS), null, 'it begins anew');
+});
+
+test('on the plan the nearest thing within reach has the gaze', () => {
+  const session = empty_session();
+  const vehicle = read_vehicle({ vehicle: 0, name: 'rov', kind: 'rov', length_m: 1, width_m: 1 });
+  assert.ok(vehicle !== null);
+  session.vehicles.set(0, vehicle);
+  session.poses.set(0, pose_with({ vehicle: 0, east_m: 10, north_m: 0 }));
+  const pile = { name: 'pile', east_m: 30, north_m: 0, radius_m: 3, bottom_m: -30, top_m: 10 };
+  session.structures = read_structures([pile]);
+  const to_pixel = (it: { east_m: number; north_m: number }): { x: number; y: number } => ({
+    x: it.east_m,
+    y: -it.north_m,
+  });
+  assert.equal(named_on_plan(session, { x: 12, y: 3 }, to_pixel), 'rov');
+  assert.equal(named_on_plan(session, { x: 21, y: 0 }, to_pixel), 'pile');
+  assert.equal(named_on_plan(session, { x: 30, y: 40 }, to_pixel), '');
+});
