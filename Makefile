@@ -43,6 +43,7 @@ soak: test-packages venv
 	cmake --preset release
 	cmake --build --preset release -j$(JOBS)
 	ctest --preset release -L '^soak$$'
+	ctest --preset release -L bench-answers
 	ctest --preset release -R 'KeptAnswersOfTheDesk|RunApart'  # memory, that sanitizers hide
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
 	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 SLACKWATER_WINDS=50 ctest --preset release -V \
