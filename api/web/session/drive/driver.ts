@@ -22,6 +22,19 @@ import type { Station } from '../station';
 
 export const TICK_MS = 50;
 
+/** What holds now of what must hold before anything is sent. */
+export function gate_of(station: Station): Gate {
+  return {
+    is_open: station.wire.is_open,
+    buffered_bytes: station.wire.buffered_bytes,
+    is_hidden: document.hidden,
+    has_focus: document.hasFocus(),
+    clock_is_known: station.wire.clock.is_known,
+    frame_age_ms: station.picture_age_ms(),
+    has_helm: station.has_helm(),
+  };
+}
+
 export class Driver {
   private vehicle: number | null = null;
   private told = ''; // the last refusal that was spoken, so that it is spoken once
@@ -41,31 +54,18 @@ export class Driver {
       // Another vehicle: the hand comes off the stick before it drives that one.
       this.vehicle = station.chosen;
       this.bar.show_taken('', false);
-      stick.tick({ ...this.gate(), has_helm: false });
+      stick.tick({ ...gate_of(station), has_helm: false });
     }
     const pads: readonly (PadLike | null)[] = navigator.getGamepads?.() ?? [];
     panel.show_pad(this.pads.look(pads, stick));
     stick.set('keys', this.keys.is_held, this.keys.lean());
     stick.set('touch', panel.touch_is_held(), panel.touch_lean());
 
-    const tick = stick.tick(this.gate());
+    const tick = stick.tick(gate_of(station));
     const shares = panel.shares();
     if (tick.lean !== null) this.send(tick, tick.lean, shares);
     if (tick.is_end || tick.block !== null) panel.zero_shares();
     this.show(tick, shares);
-  }
-
-  private gate(): Gate {
-    const { station } = this;
-    return {
-      is_open: station.wire.is_open,
-      buffered_bytes: station.wire.buffered_bytes,
-      is_hidden: document.hidden,
-      has_focus: document.hasFocus(),
-      clock_is_known: station.wire.clock.is_known,
-      frame_age_ms: station.picture_age_ms(),
-      has_helm: station.has_helm(),
-    };
   }
 
   private send(tick: Tick, lean: Lean, shares: number[] | null): void {
