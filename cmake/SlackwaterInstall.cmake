@@ -16,6 +16,14 @@ foreach(folder ${data_folders})
     install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/slackwater COMPONENT runtime)
   endif()
 endforeach()
+# The detector of hands, where the build could fetch it: hand_detector_files of
+# api/door/people/hands_routes.h.
+foreach(file hands.js hands.binarypb hands_solution_packed_assets.data
+        hands_solution_packed_assets_loader.js hands_solution_simd_wasm_bin.js
+        hands_solution_simd_wasm_bin.wasm hand_landmark_lite.tflite)
+  install(FILES ${PROJECT_BINARY_DIR}/hands-page/node_modules/@mediapipe/hands/${file}
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/slackwater/hands COMPONENT runtime OPTIONAL)
+endforeach()
 # The types on DDS, for whoever builds clients.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/api/door/dds/idl
         DESTINATION ${CMAKE_INSTALL_DATADIR}/slackwater COMPONENT runtime)

@@ -24,6 +24,12 @@ std::filesystem::path data_folder() {
               "found no data folder with product descriptors; set SLACKWATER_DATA to it");
 }
 
+std::filesystem::path hand_detector_folder() {
+  const std::filesystem::path own = data_folder() / "hands";
+  std::error_code ignored;
+  return std::filesystem::is_directory(own, ignored) ? own : SLACKWATER_BUILT_HAND_DETECTOR;
+}
+
 std::optional<std::filesystem::path> own_config_folder() {
   // A relative path is to be taken for none (XDG Base Directory Specification).
   const char* named = std::getenv("XDG_CONFIG_HOME");

@@ -9,6 +9,10 @@ namespace slackwater::api {
 /// the installed program, else the source tree it was built from. Throws Error(not_found).
 [[nodiscard]] std::filesystem::path data_folder();
 
+/// Where the files of the detector of hands are looked for: `hands` in the data folder, else where
+/// the build that made the program has fetched them. There may be none.
+[[nodiscard]] std::filesystem::path hand_detector_folder();
+
 /// The user's `$XDG_CONFIG_HOME/slackwater`, else `~/.config/slackwater`, whether it is there or
 /// not; nothing where the user has no home.
 [[nodiscard]] std::optional<std::filesystem::path> own_config_folder();

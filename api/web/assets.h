@@ -21,4 +21,9 @@ struct PageAssets {
 /// The page `/session`. It asks for `/session/page.css` and `/session/page.js`, for nothing else.
 [[nodiscard]] PageAssets session_page();
 
+/// The page `/session/hands`. It asks for `/session/hands/page.css` and `/session/hands/page.js`,
+/// and once its camera is started for what is below `/session/hands/model`, which is too big to be
+/// carried: the files of its detector are on disk.
+[[nodiscard]] PageAssets hands_page();
+
 }  // namespace slackwater::web

@@ -132,7 +132,7 @@ const Arrows& allowed_arrows_of_api() {
       {"api/door/people/wire", {}},
       {"api/door/people",
        {"api/ask/run", "api/door/http", "api/door/live/topics", "api/door/people/wire", "api/log",
-        "api/web"}},
+        "api/program", "api/web"}},
       {"api/door/people/playback",
        {"api/door/http", "api/door/people", "api/door/people/wire", "api/log"}},
       {"api/door/desk", {"api/ask/decisions", "api/ask/history",

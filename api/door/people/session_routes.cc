@@ -3,6 +3,8 @@
 #include "api/door/http/page_part.h"
 #include "api/door/http/problem.h"
 #include "api/door/http/trust.h"
+#include "api/door/people/hands_routes.h"
+#include "api/program/paths.h"
 #include "api/web/assets.h"
 #include "fields/base/error.h"
 
@@ -30,6 +32,7 @@ void add_page_routes(api::http::Router& router) {
   router.add("GET", "/session/page.css", [](const Request&) {
     return page_part("text/css; charset=utf-8", web::session_page().style);
   });
+  add_hands_routes(router, api::hand_detector_folder());
 }
 
 void add_routes(api::http::Router& router, const ServedSessions& sessions) {

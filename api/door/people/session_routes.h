@@ -11,7 +11,7 @@ namespace slackwater::people {
 
 [[nodiscard]] api::http::Response json_response(const nlohmann::json& body);
 
-/// The page /session itself: of whatever is served beside it.
+/// The page /session itself and that of hands: of whatever is served beside them.
 void add_page_routes(api::http::Router& router);
 
 /// The sessions of a server. Called from any thread.
