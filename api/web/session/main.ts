@@ -11,6 +11,7 @@ import { load_settings } from './look/settings';
 import { attention_button } from './panel/attention_button';
 import { camera_panel } from './panel/camera_panel';
 import { drive_panel } from './panel/drive_panel';
+import { HandWindow } from './panel/hand_window';
 import { helm_panel, helm_words } from './panel/helm_panel';
 import { join_form } from './panel/join_form';
 import { lesson_panel } from './panel/lesson_panel';
@@ -100,7 +101,8 @@ const way = waypoint_edit(
   () => redraw(),
 );
 const supervise = supervise_panel(station);
-const camera = camera_panel(station);
+const hand_window = new HandWindow(station);
+const camera = camera_panel(station, hand_window.opener);
 const picture = picture_panel(station);
 const weather = weather_panel(station);
 const people = people_panel(station);
@@ -260,6 +262,7 @@ document.addEventListener('click', (event) => {
 
 const driver = new Driver(station, stick, keys, new PadReader(), drive, orders);
 setInterval(() => driver.tick(), TICK_MS);
+setInterval(() => hand_window.tick(), TICK_MS);
 setInterval(show_panels, PANELS_EVERY_MS);
 if (mode.resets) {
   const idle = new Idle(performance.now());

@@ -2,7 +2,8 @@
 import { button, element, labelled, set_hidden, set_text } from '../../look/element';
 import type { Panel, Station } from '../station';
 
-export function camera_panel(station: Station): Panel {
+/** @param by_hand opens the window in which a hand turns it */
+export function camera_panel(station: Station, by_hand: HTMLButtonElement): Panel {
   const slider = (low: number, high: number, step: number, value: number): HTMLInputElement =>
     element('input', { type: 'range', min: low, max: high, step, value });
   const pan = slider(-180, 180, 5, 0);
@@ -36,7 +37,7 @@ export function camera_panel(station: Station): Panel {
     labelled('Pan, ° to starboard', pan),
     labelled('Tilt, ° up', tilt),
     labelled('Zoom, times', zoom),
-    element('div', { class: 'buttons' }, ahead),
+    element('div', { class: 'buttons' }, ahead, by_hand),
   );
   let shown = '';
 
