@@ -60,6 +60,7 @@ soak: test-packages venv
 	SLACKWATER_JOINS=10000 build/release/tests/slackwater_api_dds_tests --gtest_filter='*Joins.*'
 	SLACKWATER_JOINS=10000 build/release/tests/slackwater_api_tests --gtest_filter='Session.Many*'
 	SLACKWATER_SESSION_MINUTES=120 ctest --preset release -V -R 'LongSession'
+	SLACKWATER_MORE_HANDS=1 ctest --preset release -V -R 'TurnACameraByHand'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
 	tests/soak/morning build/release/api/slackwater build/soak-demo/store
