@@ -1,6 +1,7 @@
 // Who drives the chosen vehicle, who asks for it, and how long each has: the same words on both
 // sides.
 import { button, element, labelled, set_disabled, set_hidden, set_text } from '../../look/element';
+import { DEED_TEXT, do_deed, has_asked, helm_deeds, type HelmDeed } from '../drive/helm_deeds';
 import { seconds_left } from '../look/units';
 import type { Helm } from '../session/message';
 import { holder_name, type Session } from '../session/state';
@@ -68,23 +69,13 @@ export function helm_words(session: Session, helm: Helm | undefined, clock_ms: n
 export function helm_panel(station: Station): Panel {
   const state = element('p', { class: 'helm-state' });
   const countdown = element('p', { class: 'countdown' });
-  const ask = button(
-    'Ask for the helm',
-    () => station.ask('Ask for the helm', { do: 'ask', vehicle: station.chosen }),
-    { class: 'strong' },
-  );
-  const give_back = button('Give back', () =>
-    station.ask('Give back', { do: 'give_back', vehicle: station.chosen }),
-  );
-  const allow = button('Let anyone take it', () =>
-    station.ask('Let anyone take it', { do: 'allow', vehicle: station.chosen }),
-  );
-  const grant = button(
-    'Grant',
-    () => station.ask('Grant', { do: 'grant', vehicle: station.chosen }),
-    { class: 'strong' },
-  );
-  const deny = button('Deny', () => station.ask('Deny', { do: 'deny', vehicle: station.chosen }));
+  const deed = (what: HelmDeed, is_strong: boolean): HTMLButtonElement =>
+    button(DEED_TEXT[what], () => do_deed(station, what), is_strong ? { class: 'strong' } : {});
+  const ask = deed('ask', true);
+  const grant = deed('grant', true);
+  const deny = deed('deny', false);
+  const give_back = deed('give_back', false);
+  const allow = deed('allow', false);
   const take_back = button('Take back', () => {
     set_hidden(reason_form, false);
     reason.focus();
@@ -135,21 +126,18 @@ export function helm_panel(station: Station): Panel {
       set_text(countdown, words.countdown);
       set_hidden(countdown, words.countdown === '');
       box.classList.toggle('urgent', helm?.state === 'requested' && helm.holder === session.seat);
-      const may = session.role !== 'spectator' && chosen !== null;
       const mine = station.has_helm();
-      const i_ask = helm?.asker !== null && helm?.asker === session.seat;
+      const may = helm_deeds(station);
+      const i_ask = has_asked(station);
       const is_free = helm === undefined || helm.state === 'free';
       set_hidden(only_looks, session.role !== 'spectator' || session.playback !== null);
-      set_hidden(ask, !may || mine);
+      set_hidden(ask, !may.has('ask'));
       set_disabled(ask, i_ask);
-      set_text(
-        ask,
-        i_ask ? 'Asked' : helm?.state === 'allowed' ? 'Take the helm' : 'Ask for the helm',
-      );
-      set_hidden(grant, !(may && mine && helm?.state === 'requested'));
-      set_hidden(deny, grant.hidden);
-      set_hidden(give_back, !(may && mine));
-      set_hidden(allow, !(may && mine && helm?.state === 'held'));
+      set_text(ask, i_ask ? 'Asked' : helm?.state === 'allowed' ? 'Take the helm' : DEED_TEXT.ask);
+      set_hidden(grant, !may.has('grant'));
+      set_hidden(deny, !may.has('deny'));
+      set_hidden(give_back, !may.has('give_back'));
+      set_hidden(allow, !may.has('allow'));
       set_hidden(take_back, !station.is_supervisor() || is_free || mine);
       if (take_back.hidden) set_hidden(reason_form, true);
     },
