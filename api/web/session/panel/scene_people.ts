@@ -6,7 +6,6 @@ import { look_along } from '../scene/people_shown';
 import { at_scene } from '../scene/axes';
 import type { Point } from '../session/message';
 import type { Station } from '../station';
-import { Vector3 } from 'three';
 
 const TOLD_EVERY_MS = 250;
 const POINTS_FOR_MS = 8000;
@@ -16,6 +15,8 @@ export interface ScenePeople {
   readonly notes: HTMLElement;
   /** A place of the scene was pressed. True: it is pointed at, if there is one. */
   press(place: () => Point | null): boolean;
+  /** A hand in a headset points there now, or at nothing. */
+  point_at(place: Point | null): void;
   /** The scene was closed: the others see nobody there any more. */
   go(): void;
   /** Tells the others, if something changed. */
@@ -26,6 +27,7 @@ export interface ScenePeople {
 export function scene_people(station: Station, on_change: () => void): ScenePeople {
   let is_pointing = false;
   let point: Point | null = null;
+  let by_hand: Point | null = null;
   let pointed_ms = -Infinity;
   let told = '';
   let told_ms = -Infinity;
@@ -71,6 +73,7 @@ export function scene_people(station: Station, on_change: () => void): ScenePeop
       setTimeout(on_change, POINTS_FOR_MS); // a paused run draws no frames
       return true;
     },
+    point_at: (place) => (by_hand = place),
     go: () => {
       if (told !== '') station.wire.send({ do: 'look' });
       told = '';
@@ -78,15 +81,15 @@ export function scene_people(station: Station, on_change: () => void): ScenePeop
     tell: (view) => {
       const now_ms = performance.now();
       if (station.session.seat === null || now_ms < told_ms + TOLD_EVERY_MS) return;
-      const { camera } = view.eye;
+      const { at, along } = view.looks_from();
       const is_still = point !== null && now_ms < pointed_ms + POINTS_FOR_MS;
-      const { heading_deg, tilt_deg } = look_along(camera.getWorldDirection(new Vector3()));
+      const { heading_deg, tilt_deg } = look_along(along);
       const look = {
         do: 'look',
-        from: at_scene(camera.position),
+        from: at_scene(at),
         heading_deg: Math.round(heading_deg),
         tilt_deg: Math.round(tilt_deg),
-        point: is_still ? point : null,
+        point: by_hand ?? (is_still ? point : null),
       };
       const text = JSON.stringify(look);
       if (text === told || station.wire.send(look) === null) return;

@@ -5,6 +5,7 @@ import {
   Color,
   Mesh,
   MeshBasicMaterial,
+  type PerspectiveCamera,
   Raycaster,
   Scene,
   SphereGeometry,
@@ -23,10 +24,10 @@ import { approaches_in, type Approach } from './approach';
 import { at_place, at_scene, turned, type Place } from './axes';
 import { Eye } from './eye';
 import { FarmView } from './farm_view';
-import { moved_level, type InPicture } from './handles';
+import type { InPicture } from './handles';
 import { FlowSlice, Hodograph } from './flow_view';
 import { Kept } from './kept';
-import { Labels, names_in } from './labels';
+import { Labels, names_in, type Name } from './labels';
 import { camera_edges, home_mark, ring } from './marks';
 import { people_names, place_people } from './people_shown';
 import { structure_shape, vehicle_shape, vessel_shape } from './shapes';
@@ -40,7 +41,17 @@ export interface Shown {
   draft: PlanDrawing['draft']; // of a way under edit
 }
 
+/** Who is in it with a headset, or sees it as a table: drawn for them, and not for the desk. */
+export interface Visitor {
+  readonly camera: PerspectiveCamera;
+  readonly is_table: boolean;
+  /** Where the eyes are in the scene. */
+  eye(): Vector3;
+  before_drawn(shown: Shown, names: readonly Name[]): void;
+}
+
 const CURRENT_ARROW_M_PER_M_S = 4;
+const FARTHEST_M = 3000; // that something is pointed at
 const PRESSED = /^(?!sea$|sky$|slice$|turbines$).+/; // things with a name, but those all about
 
 export class SceneView {
@@ -48,13 +59,14 @@ export class SceneView {
   /** The current is shown: over a slice at this height, and from surface to bed at the chosen. */
   slice_up_m: number | null = null;
   shows_wakes = false;
-  private readonly scene = new Scene();
+  visitor: Visitor | null = null;
+  readonly scene = new Scene();
   readonly surround = new Surround(this.scene);
   private readonly kept = new Kept(this.scene);
   private readonly slice = new FlowSlice();
   private readonly hodograph = new Hodograph();
   private readonly labels: Labels;
-  private readonly renderer: WebGLRenderer;
+  readonly renderer: WebGLRenderer;
   private approaches: Approach[] = [];
   private chosen_before: number | null = null;
   private farm: { of: Session['turbines']; view: FarmView } | null = null;
@@ -80,33 +92,55 @@ export class SceneView {
 
   /** What lies under a place of the picture: the nearest thing, else mean sea level or the bed. */
   place_under(at: InPicture): Place | null {
-    const { camera } = this.eye;
-    const ray = new Raycaster();
-    ray.setFromCamera(new Vector2(at.right, at.up), camera);
-    const things = this.scene.children.filter((it) => PRESSED.test(it.name));
-    const [hit] = ray.intersectObjects(things, true);
-    if (hit !== undefined) return at_scene(hit.point);
-    const up_m = camera.position.y > 0 ? 0 : this.surround.bed_m;
-    return up_m === null ? null : moved_level(camera, { east_m: 0, north_m: 0, up_m }, at);
+    const caster = new Raycaster();
+    caster.setFromCamera(new Vector2(at.right, at.up), this.eye.camera);
+    return this.place_along(caster.ray.origin, caster.ray.direction);
   }
 
   /** The name of what is seen there; empty: it has none, as the sea that hides the rest. */
   named_under(at: InPicture): string {
-    const ray = new Raycaster();
-    ray.setFromCamera(new Vector2(at.right, at.up), this.eye.camera);
+    const caster = new Raycaster();
+    caster.setFromCamera(new Vector2(at.right, at.up), this.eye.camera);
+    return this.named_along(caster.ray.origin, caster.ray.direction);
+  }
+
+  /** The same along a unit vector from a place. */
+  named_along(from: Vector3, ahead: Vector3): string {
     const things = this.scene.children.filter((it) => it.name !== '');
-    const [hit] = ray.intersectObjects(things, true);
+    const [hit] = new Raycaster(from, ahead).intersectObjects(things, true);
     let thing = hit?.object ?? null;
     while (thing !== null && thing.parent !== this.scene) thing = thing.parent;
     return thing !== null && PRESSED.test(thing.name) ? thing.name : '';
   }
 
-  draw({ session, tracks, chosen, draft }: Shown): void {
+  /** The same along a unit vector from a place. */
+  place_along(from: Vector3, ahead: Vector3): Place | null {
+    const things = this.scene.children.filter((it) => PRESSED.test(it.name));
+    const [hit] = new Raycaster(from, ahead).intersectObjects(things, true);
+    if (hit !== undefined) return at_scene(hit.point);
+    const up_m = from.y > 0 ? 0 : this.surround.bed_m;
+    const away_m = up_m === null ? Number.NaN : (up_m - from.y) / ahead.y;
+    if (!(away_m > 0 && away_m <= FARTHEST_M)) return null;
+    return at_scene(from.clone().addScaledVector(ahead, away_m));
+  }
+
+  /** Who looks, for the others to see. */
+  looks_from(): { at: Vector3; along: Vector3 } {
+    const { camera } = this.visitor ?? this.eye;
+    const along = camera.getWorldDirection(new Vector3());
+    return { at: this.visitor?.eye() ?? camera.position, along };
+  }
+
+  draw(shown: Shown): void {
+    const { session, tracks, chosen, draft } = shown;
+    const { visitor, renderer } = this;
     const { clientWidth: wide, clientHeight: high } = this.canvas;
-    if (wide < 2 || high < 2) return;
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
-    this.renderer.setSize(wide, high, false);
-    this.eye.camera.aspect = wide / high;
+    if (!renderer.xr.isPresenting) {
+      if (wide < 2 || high < 2) return;
+      renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
+      renderer.setSize(wide, high, false);
+      this.eye.camera.aspect = wide / high;
+    }
     const pose = chosen === null ? undefined : session.poses.get(chosen);
     const vehicle = chosen === null ? undefined : session.vehicles.get(chosen);
     const pointing = chosen === null ? null : (session.statuses.get(chosen)?.camera ?? null);
@@ -119,12 +153,14 @@ export class SceneView {
     this.place_things(session, tracks, chosen);
     this.place_farm(session);
     this.place_flow(session, pose ?? null);
-    this.surround.show(session, this.eye.camera.position);
-    this.renderer.render(this.scene, this.eye.camera);
-    const { camera } = this.eye;
-    const names = names_in(session, chosen, camera.position, this.approaches);
+    const { camera } = visitor ?? this.eye;
+    const from = visitor?.eye() ?? camera.position;
+    this.surround.show(session, from, visitor !== null, visitor?.is_table ?? false);
+    const names = names_in(session, chosen, from, this.approaches);
     names.push(...people_names(session), ...draft_names(draft));
-    this.labels.show(names, camera, wide, high);
+    visitor?.before_drawn(shown, names);
+    renderer.render(this.scene, camera);
+    this.labels.show(visitor === null ? names : [], camera, wide, high);
   }
 
   private place_things(session: Session, tracks: Tracks, chosen: number | null): void {

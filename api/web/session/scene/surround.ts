@@ -20,6 +20,7 @@ import { Sky } from './sky';
 import { Water } from './water';
 
 const NOON = { elevation_deg: 50, azimuth_deg: 180 }; // where nobody says, as in a recording
+const FADED_AWAY = 9; // exp(-9) is less than one of 8000 parts
 const UNKNOWN_BY_DAY = 1.2; // of all sides, where the sun's own light is 2
 
 export class Surround {
@@ -40,7 +41,12 @@ export class Surround {
     scene.add(this.all_sides, this.sun, this.sky.mesh, this.water.mesh, this.bed);
   }
 
-  show(session: Session, eye: Vector3): void {
+  /**
+   * `in_headset`: there is a picture for each eye. `is_table`: it is seen from far above as things
+   * on a table, with nothing all about.
+   */
+  show(session: Session, eye: Vector3, in_headset = false, is_table = false): void {
+    this.water.draw_for_two_eyes(in_headset);
     const about = new Vector2(eye.x, -eye.z);
     const factor = session.weather?.waves_factor ?? 1;
     const time_s = session.frame?.time_s ?? 0;
@@ -54,6 +60,9 @@ export class Surround {
     const left = is_under_water ? light_seen(per_m, surface_m - eye.y) : ([1, 1, 1] as const);
     const water = new Color(deep).multiplyScalar(daylight.light);
     const seen = is_under_water ? lit(water, left) : daylight.horizon;
+    // So deep that nothing of the surface is left to be seen, it is not drawn.
+    const faded = is_under_water && !this.is_clear ? per_m * (surface_m - eye.y) : 0;
+    this.water.mesh.visible = !is_table && faded < FADED_AWAY;
     set_fog(this.fog, is_under_water && this.is_clear ? 0 : per_m, is_under_water, seen);
     this.scene.background = seen.clone();
     this.sky.mesh.visible = !is_under_water;
@@ -68,6 +77,18 @@ export class Surround {
     this.bed.visible = this.bed_m !== null;
     this.bed.position.set(eye.x, this.bed_m ?? 0, eye.z);
     this.bed.material.color.copy(lit(new Color(bed), left).multiplyScalar(daylight.light));
+    if (is_table) this.show_on_table();
+  }
+
+  /** In plain light, whatever the hour is. */
+  private show_on_table(): void {
+    this.fog.density = 0;
+    this.scene.background = null;
+    this.sky.mesh.visible = this.bed.visible = false;
+    this.sun.position.set(0.4, 1, 0.5);
+    for (const light of [this.sun, this.all_sides]) light.color.set('#ffffff');
+    this.sun.intensity = 1.6;
+    this.all_sides.intensity = 1.4;
   }
 }
 

@@ -19,6 +19,7 @@ import { phase_of, type Sea } from '../session/sea';
 
 // Corners lie 0.7 m apart in the middle, and 5 parts in 100 of the way to it farther out.
 const CELLS = 256; // along each side
+const CELLS_FOR_TWO_EYES = 128; // and 72 pictures a second
 const REACH_M = 3000;
 const STRETCH = 6;
 
@@ -67,11 +68,11 @@ void main() {
 }`;
 
 /** Corners about the middle, and how far apart they lie. */
-function mesh(): BufferGeometry {
+function mesh(cells: number): BufferGeometry {
   const along = (i: number): number => {
-    return (REACH_M / Math.sinh(STRETCH)) * Math.sinh(STRETCH * ((2 * i) / CELLS - 1));
+    return (REACH_M / Math.sinh(STRETCH)) * Math.sinh(STRETCH * ((2 * i) / cells - 1));
   };
-  const side = CELLS + 1;
+  const side = cells + 1;
   const places = new Float32Array(3 * side * side);
   const spacing = new Float32Array(side * side);
   const corners: number[] = [];
@@ -80,9 +81,9 @@ function mesh(): BufferGeometry {
       const nth = row * side + column;
       places.set([along(column), 0, along(row)], 3 * nth);
       const apart = (i: number): number =>
-        along(Math.min(i + 1, CELLS)) - along(Math.max(i - 1, 0));
+        along(Math.min(i + 1, cells)) - along(Math.max(i - 1, 0));
       spacing[nth] = Math.max(apart(row), apart(column)) / 2;
-      if (row < CELLS && column < CELLS) {
+      if (row < cells && column < cells) {
         corners.push(nth, nth + side, nth + 1, nth + 1, nth + side, nth + side + 1);
       }
     }
@@ -102,6 +103,7 @@ function texture_of(texels: Float32Array<ArrayBuffer>): DataTexture {
 export class Water {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   private sea: Sea | null = null;
+  private are_two = false;
   private texels = new Float32Array(4);
   private texture = texture_of(this.texels);
 
@@ -118,9 +120,17 @@ export class Water {
       transparent: true,
       fog: true,
     });
-    this.mesh = new Mesh(mesh(), material);
+    this.mesh = new Mesh(mesh(CELLS), material);
     this.mesh.frustumCulled = false;
     this.mesh.name = 'sea';
+  }
+
+  /** For who has a picture for each eye: with fewer corners. */
+  draw_for_two_eyes(are_two: boolean): void {
+    if (are_two === this.are_two) return;
+    this.are_two = are_two;
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = mesh(are_two ? CELLS_FOR_TWO_EYES : CELLS);
   }
 
   paint(deep: Color, sky: Color): void {
