@@ -21,6 +21,7 @@ import { people_panel } from './panel/people_panel';
 import { picture_panel } from './panel/picture_panel';
 import { playback_bar } from './panel/playback_bar';
 import { scene_panel } from './panel/scene_panel';
+import type { Shown } from './scene/scene_view';
 import { settings_dialog } from './panel/settings_dialog';
 import { state_panel } from './panel/state_panel';
 import { supervise_panel } from './panel/supervise_panel';
@@ -191,9 +192,16 @@ const plan_buttons = element(
     { 'aria-label': 'Farther' },
   ),
 );
-const scene = scene_panel(station, way, () => {
-  set_hidden(plan_buttons, scene.is_open()); // the scene has its own
-  canvases_are_old = true;
+const scene = scene_panel(station, {
+  way,
+  orders,
+  shown,
+  drawn: tell_drawn,
+  choose,
+  on_change: () => {
+    set_hidden(plan_buttons, scene.is_open()); // the scene has its own
+    canvases_are_old = true;
+  },
 });
 by_id('plan-tools').append(scene.opener, plan_buttons);
 const gazed = gazed_on_page(
@@ -260,7 +268,7 @@ document.addEventListener('click', (event) => {
     focused.blur();
 });
 
-const driver = new Driver(station, stick, keys, new PadReader(), drive, orders);
+const driver = new Driver(station, stick, keys, new PadReader(), drive, orders, scene.headset);
 setInterval(() => driver.tick(), TICK_MS);
 setInterval(() => hand_window.tick(), TICK_MS);
 setInterval(show_panels, PANELS_EVERY_MS);
@@ -290,10 +298,19 @@ function draw(): void {
   if (!canvases_are_old || by_id('live').hidden) return;
   canvases_are_old = false;
   const { session, chosen } = station;
-  if (scene.is_open()) scene.draw({ session, tracks, chosen, draft: way.draft() });
+  if (scene.is_open()) scene.draw(shown());
   else plan.draw({ session, tracks, chosen, speed_unit: settings.speed_unit, draft: way.draft() });
   draw_depth(depth_canvas, { session, tracks, chosen, along });
-  if (session.frame !== null) wire.drawn(session.frame.number);
+  if (!scene.headset.is_worn()) tell_drawn();
+}
+
+function shown(): Shown {
+  return { session: station.session, tracks, chosen: station.chosen, draft: way.draft() };
+}
+
+function tell_drawn(): void {
+  const { frame } = station.session;
+  if (frame !== null) wire.drawn(frame.number);
 }
 
 function show_panels(): void {
@@ -330,6 +347,7 @@ function take_link(now: LinkState): void {
     station.frame_came_ms = Number.NaN;
     tracks.clear();
     way.end();
+    scene.headset.leave();
     join.show(false, now.text);
   } else {
     join.show(now.is === 'joining', '');

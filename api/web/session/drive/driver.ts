@@ -19,16 +19,20 @@ import { shaped_text, stick_speed_m_s } from './shaped';
 import type { DrivePanel } from '../panel/drive_panel';
 import type { OrdersBar } from '../panel/orders_bar';
 import type { Station } from '../station';
+import type { Headset } from '../xr/headset';
 
 export const TICK_MS = 50;
 
-/** What holds now of what must hold before anything is sent. */
-export function gate_of(station: Station): Gate {
+/**
+ * What holds now of what must hold before anything is sent. `is_in_headset`: somebody wears one and
+ * sees the scene, which counts as the focus.
+ */
+export function gate_of(station: Station, is_in_headset = false): Gate {
   return {
     is_open: station.wire.is_open,
     buffered_bytes: station.wire.buffered_bytes,
     is_hidden: document.hidden,
-    has_focus: document.hasFocus(),
+    has_focus: document.hasFocus() || is_in_headset,
     clock_is_known: station.wire.clock.is_known,
     frame_age_ms: station.picture_age_ms(),
     has_helm: station.has_helm(),
@@ -46,6 +50,7 @@ export class Driver {
     private readonly pads: PadReader,
     private readonly panel: DrivePanel,
     private readonly bar: OrdersBar,
+    private readonly headset: Pick<Headset, 'look' | 'is_seen' | 'is_worn'>,
   ) {}
 
   tick(): void {
@@ -60,8 +65,9 @@ export class Driver {
     panel.show_pad(this.pads.look(pads, stick));
     stick.set('keys', this.keys.is_held, this.keys.lean());
     stick.set('touch', panel.touch_is_held(), panel.touch_lean());
+    this.headset.look(stick);
 
-    const tick = stick.tick(gate_of(station));
+    const tick = stick.tick(gate_of(station, this.headset.is_seen()));
     const shares = panel.shares();
     if (tick.lean !== null) this.send(tick, tick.lean, shares);
     if (tick.is_end || tick.block !== null) panel.zero_shares();
@@ -113,6 +119,8 @@ export class Driver {
       this.bar.show_stick(null, BLOCK_TEXT[tick.block], is_alarm);
     } else if (tick.must_release) {
       this.bar.show_stick(null, 'Let the stick go, then hold it again.', true);
+    } else if (this.headset.is_worn()) {
+      this.bar.show_stick(NO_LEAN, 'Stick at rest. Squeeze or pinch to drive.', false);
     } else if (
       !leaves_keys_alone(document.activeElement) &&
       document.querySelector('dialog[open]') === null

@@ -7,7 +7,7 @@
 // - One hand drives at a time. A pad that comes or comes back drives nothing until its button was
 //   up.
 
-export type Source = 'keys' | 'pad' | 'touch';
+export type Source = 'keys' | 'pad' | 'touch' | 'headset';
 
 /** Each from -1 to 1. Heave down, yaw to starboard. */
 export interface Lean {
@@ -78,11 +78,13 @@ export class Stick {
   keep_depth = false;
   keep_heading = false;
 
-  // Keys and fingers are up when the page begins. A pad is not known before it was looked at.
+  // Keys and fingers are up when the page begins. A pad or a hand in a headset is not known before
+  // it was looked at.
   private hands: Record<Source, Hand> = {
     keys: { is_held: false, was_up: true, lean: NO_LEAN },
     touch: { is_held: false, was_up: true, lean: NO_LEAN },
     pad: { is_held: false, was_up: false, lean: NO_LEAN },
+    headset: { is_held: false, was_up: false, lean: NO_LEAN },
   };
   private driver: Source | null = null;
 
@@ -95,7 +97,8 @@ export class Stick {
   }
 
   /**
-   * The hand is gone (a pad unplugged): as let go, and it must be seen up before it drives again.
+   * The hand is gone (a pad unplugged, a headset taken off): as let go, and it must be seen up
+   * before it drives again.
    */
   lose(source: Source): void {
     this.hands[source] = { is_held: false, was_up: false, lean: NO_LEAN };
@@ -127,7 +130,7 @@ export class Stick {
       return { lean: { ...NO_LEAN }, is_driving: false, is_end: true, block, must_release: false };
     }
 
-    for (const source of ['touch', 'keys', 'pad'] as const) {
+    for (const source of ['touch', 'keys', 'pad', 'headset'] as const) {
       const hand = this.hands[source];
       if (hand.is_held && hand.was_up) {
         this.driver = source;

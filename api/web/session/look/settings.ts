@@ -9,6 +9,8 @@ export interface Settings {
   zone: 'utc' | 'site';
   site_offset_hours: number;
   stick_share: number; // of the vehicle's most speed, at full stick
+  headset_narrows: boolean; // the view, while one is moved
+  headset_is_seated: boolean; // and lifted to a standing person's height
 }
 
 const KEY = 'slackwater.session.settings';
@@ -20,6 +22,8 @@ export function default_settings(prefers_dark: boolean): Settings {
     zone: 'utc',
     site_offset_hours: 0,
     stick_share: 0.5,
+    headset_narrows: true,
+    headset_is_seated: false,
   };
 }
 
@@ -44,6 +48,8 @@ export function read_settings(text: string | null, otherwise: Settings): Setting
   if (typeof it.stick_share === 'number' && it.stick_share > 0 && it.stick_share <= 1) {
     settings.stick_share = it.stick_share;
   }
+  if (typeof it.headset_narrows === 'boolean') settings.headset_narrows = it.headset_narrows;
+  if (typeof it.headset_is_seated === 'boolean') settings.headset_is_seated = it.headset_is_seated;
   return settings;
 }
 

@@ -13,6 +13,8 @@ export interface OrdersBar extends Panel {
   show_stick(lean: Lean | null, text: string, is_alarm: boolean): void;
   /** What the server made of it. */
   show_taken(text: string, is_alarm: boolean): void;
+  /** What it says of the stick, for the headset's board. */
+  said(): { text: string; is_alarm: boolean };
 }
 
 export function orders_bar(station: Station): OrdersBar {
@@ -67,6 +69,10 @@ export function orders_bar(station: Station): OrdersBar {
       set_text(asked, text);
       asked.classList.toggle('alarm', is_alarm);
     },
+    said: () => ({
+      text: asked.textContent ?? '',
+      is_alarm: asked.classList.contains('alarm'),
+    }),
     show_taken: (text, is_alarm) => {
       set_text(taken, text);
       taken.classList.toggle('alarm', is_alarm);

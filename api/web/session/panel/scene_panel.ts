@@ -10,8 +10,11 @@ import type { Station } from '../station';
 import { current_tools } from './current_tools';
 import { scene_people } from './scene_people';
 import { in_picture, way_hand } from './way_hand';
+import type { OrdersBar } from './orders_bar';
 import { way_tools } from './way_tools';
 import type { WaypointEdit } from './waypoint_edit';
+import { Headset } from '../xr/headset';
+import { headset_tools } from '../xr/headset_tools';
 
 const TURN_RAD_PER_PX = 0.006;
 const TURN_BY_KEY_RAD = 0.12;
@@ -20,11 +23,12 @@ const LIFT_BY_KEY_M = 0.5;
 
 export interface ScenePanel {
   readonly opener: HTMLButtonElement;
+  readonly headset: Headset;
   is_open(): boolean;
   /** The name of what is seen at a place of the window, or in the middle; empty: it has none. */
   named_at(at: { clientX: number; clientY: number }): string;
   named_ahead(): string;
-  /** Draws, if it is open. */
+  /** Draws, if it is open and nobody wears a headset: that has frames of its own. */
   draw(shown: Shown): void;
 }
 
@@ -35,11 +39,19 @@ function show_words(list: HTMLElement, session: Session): void {
   lines.forEach((line, nth) => set_text(list.children[nth] as HTMLElement, line));
 }
 
-export function scene_panel(
-  station: Station,
-  way: WaypointEdit,
-  on_change: () => void,
-): ScenePanel {
+/** What the page does for it. */
+export interface SceneMeans {
+  way: WaypointEdit;
+  orders: OrdersBar;
+  shown: () => Shown;
+  /** A frame was drawn in the headset. */
+  drawn: () => void;
+  choose: (vehicle: number) => void;
+  on_change: () => void;
+}
+
+export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
+  const { way, on_change } = means;
   const canvas = element('canvas', {
     id: 'scene-canvas',
     tabindex: 0,
@@ -106,6 +118,20 @@ export function scene_panel(
   const people = scene_people(station, on_change);
   const hand = way_hand(way);
   const on_way = way_tools(way, hand);
+  const headset = new Headset({
+    ...means,
+    station,
+    people,
+    draw: () => {
+      draw(means.shown());
+      means.drawn();
+    },
+    on_change: () => {
+      in_headset.show();
+      on_change();
+    },
+  });
+  const in_headset = headset_tools(headset, () => view);
   const words = element('ul', {});
   const in_words = element(
     'details',
@@ -124,6 +150,7 @@ export function scene_panel(
     ...current.nodes,
     ...people.nodes,
     ...on_way.nodes,
+    ...in_headset.nodes,
   );
   const box = element('div', { id: 'scene', hidden: true }, canvas, labels, note, tools, in_words);
   by_id('plan').after(box);
@@ -145,8 +172,10 @@ export function scene_panel(
     () => {
       set_hidden(box, !box.hidden);
       opener.setAttribute('aria-pressed', String(!box.hidden));
-      if (box.hidden) people.go();
-      else open();
+      if (box.hidden) {
+        headset.leave();
+        people.go();
+      } else open();
       on_change();
     },
     { 'aria-pressed': 'false' },
@@ -214,21 +243,29 @@ export function scene_panel(
     deed();
   });
 
+  const draw = (now: Shown): void => {
+    shown = now;
+    if (box.hidden) return;
+    view?.draw(now);
+    set_hidden(wakes, now.session.turbines === null);
+    current.show(now.session.weather?.currents ?? []);
+    people.show();
+    on_way.show();
+    if (view !== null) people.tell(view);
+    if (in_words.open) show_words(words, now.session);
+  };
+
   return {
     opener,
+    headset,
     is_open: () => !box.hidden,
     named_at: (at) => view?.named_under(in_picture(canvas, at)) ?? '',
-    named_ahead: () => view?.named_under({ right: 0, up: 0 }) ?? '',
+    named_ahead: () => {
+      const eye = view?.looks_from();
+      return eye === undefined ? '' : (view?.named_along(eye.at, eye.along) ?? '');
+    },
     draw: (now) => {
-      shown = now;
-      if (box.hidden) return;
-      view?.draw(now);
-      set_hidden(wakes, now.session.turbines === null);
-      current.show(now.session.weather?.currents ?? []);
-      people.show();
-      on_way.show();
-      if (view !== null) people.tell(view);
-      if (in_words.open) show_words(words, now.session);
+      if (!headset.is_worn()) draw(now);
     },
   };
 }

@@ -46,7 +46,16 @@ export function settings_dialog(settings: Settings, on_change: () => void): HTML
     step: 0.25,
     value: settings.site_offset_hours,
   });
+  const check = (text: string, is_on: boolean): { field: HTMLInputElement; box: HTMLElement } => {
+    const field = element('input', { type: 'checkbox' });
+    field.checked = is_on;
+    return { field, box: element('label', { class: 'check' }, field, text) };
+  };
+  const narrows = check('In a headset: narrow the view while moved', settings.headset_narrows);
+  const sits = check('In a headset: I sit', settings.headset_is_seated);
   const change = (): void => {
+    settings.headset_narrows = narrows.field.checked;
+    settings.headset_is_seated = sits.field.checked;
     settings.palette = palette.value as Palette;
     settings.speed_unit = speed.value as SpeedUnit;
     settings.zone = zone.value === 'site' ? 'site' : 'utc';
@@ -56,7 +65,8 @@ export function settings_dialog(settings: Settings, on_change: () => void): HTML
     use_palette(settings.palette);
     on_change();
   };
-  for (const field of [palette, speed, zone, offset]) field.addEventListener('change', change);
+  for (const field of [palette, speed, zone, offset, narrows.field, sits.field])
+    field.addEventListener('change', change);
   const dialog = element('dialog', { 'aria-labelledby': 'settings-title' });
   dialog.append(
     element('h2', { id: 'settings-title' }, 'Settings'),
@@ -64,6 +74,8 @@ export function settings_dialog(settings: Settings, on_change: () => void): HTML
     labelled('Speed in', speed),
     labelled('Times in', zone),
     labelled('Site time is ahead of UTC by, hours', offset),
+    narrows.box,
+    sits.box,
     element(
       'div',
       { class: 'buttons' },

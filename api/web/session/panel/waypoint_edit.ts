@@ -24,7 +24,11 @@ export interface WaypointEdit extends Panel, PlanHand {
   place(at: Plane): void;
   new_up_m(): number;
   remove_picked(): void;
+  begin(): void;
+  send(): void;
   end(): void;
+  /** What the server would say to it. */
+  words(): string;
 }
 
 export function waypoint_edit(
@@ -207,6 +211,11 @@ export function waypoint_edit(
     });
   };
 
+  const verdict_text = (): string => {
+    if (!is_editing || verdict === 'unknown') return '';
+    return verdict === 'refused' ? `Refused: ${refusal}` : 'The server would take this way.';
+  };
+
   const number_field = (
     name: string,
     value: number | null,
@@ -308,7 +317,10 @@ export function waypoint_edit(
     remove_picked: () => {
       if (picked !== null) remove(picked);
     },
+    begin: () => start(),
+    send: () => send_all(),
     end,
+    words: verdict_text,
     press: (_at, pixel) => {
       if (!is_editing) return false;
       picked = nearest(pixel);
@@ -337,16 +349,7 @@ export function waypoint_edit(
       if (depth_label !== null)
         set_text(depth_label, flies() ? 'Height of new places, m' : 'Depth of new places, m');
       set_text(level_head, flies() ? 'Height, m' : 'Depth, m');
-      set_text(
-        word,
-        !is_editing
-          ? ''
-          : verdict === 'refused'
-            ? `Refused: ${refusal}`
-            : verdict === 'good'
-              ? 'The server would take this way.'
-              : '',
-      );
+      set_text(word, verdict_text());
       word.classList.toggle('alarm', verdict === 'refused');
       set_hidden(plan_note, !is_editing);
       set_text(plan_note, word.textContent || 'Click to place, drag to move.');
