@@ -75,7 +75,7 @@ export interface Spot {
   wide: number;
 }
 
-const HIGH_PX = 24;
+export const HIGH_PX = 24;
 const LOWER_AT_MOST = 6;
 
 /** Each below those before it that it would lie on, as far as that helps. */

@@ -72,11 +72,6 @@ export class Board {
     this.mesh.updateMatrixWorld(true);
   }
 
-  /** What is said: for tests, and for who cannot see it. */
-  get words(): string {
-    return this.drawn;
-  }
-
   show(lines: readonly BoardLine[], buttons: readonly BoardButton[]): void {
     this.buttons = buttons;
     const { paper, ink, alarm, accent, rule } = colours();

@@ -23,12 +23,14 @@ import type { HandReading } from './reading';
 const JOINT_M = 0.006;
 const RAY_M = 1.5;
 const LIGHT = '#d9e2e8';
+const SOLID = { color: LIGHT, fog: false, transparent: true };
 const HELD = '#ffb000'; // on the vehicle's stick
 
 export class HandModel {
   readonly group = new Group();
-  private readonly paint = new MeshBasicMaterial({ color: LIGHT, fog: false });
-  private readonly ink = new LineBasicMaterial({ color: LIGHT, fog: false });
+  // As see-through things are: drawn late, so that they are before the signs.
+  private readonly paint = new MeshBasicMaterial(SOLID);
+  private readonly ink = new LineBasicMaterial(SOLID);
   private readonly controller = new Group();
   private readonly ray: Line;
   private readonly joints: InstancedMesh;
@@ -42,11 +44,12 @@ export class HandModel {
     this.controller.add(grip, front);
     const along = [new Vector3(), new Vector3(0, 0, -RAY_M)];
     this.ray = new Line(new BufferGeometry().setFromPoints(along), this.ink);
-    this.joints = new InstancedMesh(new SphereGeometry(JOINT_M, 8, 6), this.paint, JOINTS.length);
+    this.joints = new InstancedMesh(new SphereGeometry(JOINT_M, 6, 4), this.paint, JOINTS.length);
     this.joints.instanceMatrix.setUsage(DynamicDrawUsage);
     const ends = new BufferAttribute(new Float32Array(6 * BONES.length), 3);
     this.bones = new LineSegments(new BufferGeometry().setAttribute('position', ends), this.ink);
     for (const part of [this.joints, this.bones, this.ray]) part.frustumCulled = false;
+    for (const part of [this.joints, this.bones, this.ray, grip, front]) part.renderOrder = 200;
     this.group.add(this.controller, this.ray, this.joints, this.bones);
     this.show(null, false, false);
   }

@@ -1,9 +1,18 @@
 // Names of things as signs in the scene, as large from near as from far: text of the page is not
 // seen in a headset.
-import { CanvasTexture, Group, LinearFilter, Sprite, SpriteMaterial, type Vector3 } from 'three';
+import {
+  CanvasTexture,
+  Group,
+  LinearFilter,
+  Sprite,
+  SpriteMaterial,
+  Vector3,
+  type Matrix4,
+  type Object3D,
+} from 'three';
 import { colours } from '../look/palette';
 import { at_place } from '../scene/axes';
-import type { Name } from '../scene/labels';
+import { HIGH_PX as LINE_PX, spread, type Name, type Spot } from '../scene/labels';
 
 const MOST = 16;
 const HIGH_PX = 44;
@@ -34,24 +43,41 @@ function drawn(name: Name): HTMLCanvasElement {
   return canvas;
 }
 
+/** Where the head sees it, as if a sign's height were a line of the page; null: not before it. */
+function spot_of(at: Vector3, into_head: Matrix4, wide: number): Spot | null {
+  const seen = at.clone().applyMatrix4(into_head);
+  if (seen.z >= 0) return null;
+  const px = LINE_PX / HIGH_RAD;
+  return { right: (seen.x / -seen.z) * px, down: (seen.y / seen.z) * px, wide: wide * LINE_PX };
+}
+
 export class NameSigns {
   readonly group = new Group();
   private readonly signs = new Map<string, Sign>();
 
-  show(names: readonly Name[], eye: Vector3, now_ms: number): void {
+  show(names: readonly Name[], head: Object3D, now_ms: number): void {
+    const eye = head.getWorldPosition(new Vector3());
+    const into_head = head.matrixWorld.clone().invert();
     const near = names
       .map((name) => ({ name, away_m: at_place(name.at).distanceTo(eye) }))
       .sort((a, b) => RANK[a.name.tone] - RANK[b.name.tone] || a.away_m - b.away_m)
       .slice(0, MOST);
     const keys = new Set(near.map(({ name }) => name.key));
     for (const [key, sign] of this.signs) if (!keys.has(key)) this.drop(key, sign);
-    for (const { name, away_m } of near) {
+    const placed = near.flatMap(({ name, away_m }) => {
       const { sprite } = this.sign_of(name, now_ms);
       sprite.position.copy(at_place(name.at));
       const { width, height } = (sprite.material.map as CanvasTexture).image as HTMLCanvasElement;
       const high_m = HIGH_RAD * away_m;
       sprite.scale.set((high_m * width) / height, high_m, 1);
-    }
+      const spot = spot_of(sprite.position, into_head, width / height);
+      return spot === null ? [] : [{ sprite, spot }];
+    });
+    // None on another, as far as that helps: lower by so many of its own heights.
+    spread(placed.map((it) => it.spot)).forEach((free, nth) => {
+      const { sprite, spot } = placed[nth]!;
+      sprite.center.set(0, 1.4 + (free.down - spot.down) / LINE_PX);
+    });
   }
 
   dispose(): void {
@@ -68,7 +94,6 @@ export class NameSigns {
     map.minFilter = LinearFilter;
     map.generateMipmaps = false;
     const sprite = new Sprite(new SpriteMaterial({ map, fog: false, depthTest: false }));
-    sprite.center.set(0, 1.4); // below and to the right of what it names
     sprite.renderOrder = 100;
     sign = { sprite, text, drawn_ms: now_ms };
     this.signs.set(name.key, sign);

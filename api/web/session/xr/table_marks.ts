@@ -18,9 +18,9 @@ import type { Session } from '../session/state';
 import type { PlanDrawing } from '../view/plan_view';
 import { TABLE_SCALE } from './table';
 
-const MARK_M = 0.012 * TABLE_SCALE;
-const BALL_M = 0.007 * TABLE_SCALE;
-const BORDER_M = 0.15 * TABLE_SCALE;
+const MARK_M = 0.016 * TABLE_SCALE;
+const BALL_M = 0.009 * TABLE_SCALE;
+const BORDER_M = 0.1 * TABLE_SCALE;
 const MOST_M = 2.5 * TABLE_SCALE;
 
 /** About the middle, as far as something of the run is. */

@@ -62,7 +62,7 @@ export class Wearer implements Visitor {
   }
 
   before_drawn({ session, chosen, draft }: Shown, names: readonly Name[]): void {
-    this.signs.show(names, this.eye(), performance.now());
+    this.signs.show(names, this.rig.head, performance.now());
     this.marks?.show(session, chosen, draft, this.view.surround.bed_m, this.middle);
   }
 
