@@ -120,11 +120,11 @@ class Person {
 
 /** Hal and what the headset does. */
 class Wearer extends Person {
-  /** Runs a change of the device in the page, and waits for three frames after it. */
+  /** Runs a change of the device in the page, and waits for two frames after it. */
   async change(how, ...given) {
     await this.page.evaluate(how, ...given);
     const frames = await this.page.evaluate(() => seen.frames);
-    await this.until("frames of the headset", (frames) => seen.frames >= frames + 3, frames);
+    await this.until("frames of the headset", (frames) => seen.frames >= frames + 2, frames);
   }
   async enter(text, pattern) {
     await this.press(text);
@@ -206,7 +206,7 @@ const steps = {
     assert.deepEqual(await offered(ann), []);
     assert.deepEqual(await offered(hal), ["Enter VR", "Table (AR)"]);
     await ann.press("Scene"); // two scenes are slow to draw
-    await hal.page.setViewport({ width: 1280, height: 800 });
+    await hal.page.setViewport({ width: 640, height: 480 });
     await hal.page.evaluate(axe);
     const faults = await hal.page.evaluate(async () => {
       const found = await axe.run(document, { iframes: false });
@@ -246,6 +246,17 @@ const steps = {
     const to_deg = (Math.atan2(after.from.east_m - before.from.east_m, after.from.north_m - before.from.north_m) * 180) / Math.PI;
     near((to_deg - before.heading_deg + 540) % 360, 180, 0.6, "off the way that one looked, degrees");
     return `${moved_m(before, after).toFixed(2)} m, expected ${(ahead_m + flies_m).toFixed(2)} m`;
+  },
+
+  async "pointing tells the others what the ray meets"() {
+    // 45 degrees down from 1.3 m over the bed, 0.4 m before the head.
+    await hal.aim("right", [0, EYES_M - 0.3, -0.4], [0, -1, -1]);
+    await hal.value("right", "a-button", 1);
+    const { from, point } = await hal.look();
+    near(point.up_m, BED_M, 0.02, "pointed at the bed, m");
+    near(Math.hypot(point.east_m - from.east_m, point.north_m - from.north_m), 0.4 + 1.3, 0.03, "away on the level, m");
+    await hal.value("right", "a-button", 0);
+    assert.equal((await hal.look()).point, null);
   },
 
   async "a push of the stick turns by 30 degrees, once, about the head"() {
@@ -433,6 +444,11 @@ const steps = {
     await hal.reads(".target", /^For rov 1/);
     await hal.page.evaluate(() => (device.primaryInputMode = "controller"));
     await hal.enter("Enter VR", /left controller, right controller/);
+    const since_ms = await hal.now();
+    await hal.value("right", "b-button", 1);
+    await hal.value("right", "b-button", 0);
+    await hal.says("hold", since_ms);
+    await ann.reads(".log li", /Hal hold rov 1/);
     await ann.press("Ask for the helm");
     await hal.reads(".helm-state", /Ann asks for the helm/);
     await hal.change(() => {});

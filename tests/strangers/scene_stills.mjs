@@ -16,6 +16,7 @@ const stills = {
   under_water: { ...noon, chosen: 0, turn: [0.9, -0.1], closer: 1.5, seen_m: 15, slice_up_m: -12 },
   turbid: { ...noon, chosen: 0, turn: [0.9, -0.1], closer: 1, seen_m: 3 },
   night: { ...noon, sun: { elevation_deg: -12, azimuth_deg: 353 }, chosen: 1, turn: [0.3, -0.05], closer: 0.15, palette: "night" },
+  table: { ...noon, chosen: 1, turn: [0, 0], closer: 1, is_table: true },
 };
 for (const [name, choice] of Object.entries(stills)) {
   const page = await browser.newPage();

@@ -1,6 +1,9 @@
 // In a browser: a made-up run near a pile, drawn as `window.choice` asks, for the pictures of the
 // docs.
+import { Euler, Mesh, MeshBasicMaterial, PlaneGeometry, Quaternion, Vector3 } from 'three';
+import { at_place } from 'page/scene/axes';
 import { SceneView } from 'page/scene/scene_view';
+import { Wearer } from 'page/xr/wearer';
 import { use_palette } from 'page/look/palette';
 import { empty_session, show_frame, tell } from 'page/session/state';
 import { Tracks } from 'page/view/tracks';
@@ -15,12 +18,14 @@ interface Choice {
   seen_m: number; // under water
   slice_up_m: number | null;
   palette: 'day' | 'dusk' | 'night';
+  is_table?: boolean; // as AR shows it, over a plain floor
 }
 const choice = (window as unknown as { choice: Choice }).choice;
 use_palette(choice.palette);
 
 const session = empty_session();
-const nine = Array.from({ length: 9 }, (_, i) => [900 * (i % 3), 900 * Math.floor(i / 3)]);
+const apart_m = choice.is_table ? 300 : 900;
+const nine = Array.from({ length: 9 }, (_, i) => [apart_m * (i % 3), apart_m * Math.floor(i / 3)]);
 const along_line = Array.from({ length: 17 }, (_, i) => i / 16);
 tell(session, {
   is: 'welcome',
@@ -96,8 +101,7 @@ tell(session, {
       {
         mmsi: 1,
         name: 'COASTER',
-        east_m: 300,
-        north_m: 150,
+        ...(choice.is_table ? { east_m: 120, north_m: 400 } : { east_m: 300, north_m: 150 }),
         course_deg: 250,
         speed_m_s: 4,
         length_m: 80,
@@ -108,6 +112,9 @@ tell(session, {
 const flow = { current_east_m_s: 0.3, current_north_m_s: 0.25 };
 const rov = { vehicle: 0, east_m: 9, north_m: -5, up_m: -10, heading_rad: -1.1, bed_m: 20 };
 const usv = { vehicle: 1, east_m: 14, up_m: 0.2, heading_rad: 0.4, bed_m: 30 };
+/** On the table nobody could tell them from each other. */
+const apart = (east_m: number, north_m: number): { east_m?: number; north_m?: number } =>
+  choice.is_table ? { east_m, north_m } : {};
 show_frame(session, {
   number: 1,
   step: 1,
@@ -116,9 +123,9 @@ show_frame(session, {
   left_out: 0,
   is_whole: true,
   poses: [
-    pose_with({ ...rov, ...flow }),
+    pose_with({ ...rov, ...flow, ...apart(60, 60) }),
     pose_with({ ...usv, ...flow }),
-    pose_with({ vehicle: 2, east_m: 10, north_m: -30, up_m: 40 }),
+    pose_with({ vehicle: 2, east_m: 10, north_m: -30, up_m: 40, ...apart(480, 150) }),
   ],
 });
 
@@ -129,8 +136,75 @@ const view = new SceneView(
 view.eye.turn(...choice.turn);
 view.eye.closer(choice.closer);
 view.slice_up_m = choice.slice_up_m;
-const shown = { session, tracks: new Tracks(), chosen: choice.chosen, draft: null };
+const way = [
+  { east_m: 150, north_m: 130, up_m: -12, speed_m_s: 0.5 },
+  { east_m: 330, north_m: 180, up_m: -20, speed_m_s: 0.5 },
+  { east_m: 440, north_m: 420, up_m: -16, speed_m_s: 0.5 },
+];
+const draft = choice.is_table
+  ? { places: way, picked: 1, is_refused: false, is_loop: false }
+  : null;
+const shown = { session, tracks: new Tracks(), chosen: choice.chosen, draft };
+if (choice.is_table) stand_at_table(new Wearer(view));
 view.draw(shown);
 session.frame!.time_s += 0.3; // the rotors have turned
 view.draw(shown);
 document.title = 'drawn';
+
+/** Who looks down at it, and a hand that holds the second place of a way. */
+function stand_at_table(wearer: Wearer): void {
+  const { rig } = wearer;
+  const floor = new Mesh(new PlaneGeometry(12, 12), new MeshBasicMaterial({ color: '#8c8479' }));
+  floor.rotation.x = -Math.PI / 2;
+  floor.position.y = -0.02;
+  rig.inner.add(floor);
+  view.renderer.setClearColor('#cfc9c0');
+  rig.camera.fov = 40;
+  rig.camera.aspect = 16 / 9;
+  rig.camera.updateProjectionMatrix();
+  const turned = new Quaternion().setFromEuler(new Euler(-0.72, 0, 0));
+  rig.take_head({ at: new Vector3(0, 1.45, 0.75), turned });
+  wearer.lay_table(shown, new Vector3(-0.56, 0.12, -0.18));
+  wearer.board.mesh.visible = false;
+  const held = rig.inner.worldToLocal(at_place(way[1]!));
+  const joints = pinching_hand(held);
+  wearer.hands.right.show(
+    {
+      side: 'right',
+      kind: 'hand',
+      is_tracked: true,
+      grip: null,
+      ray: null,
+      joints,
+      is_pressed: true,
+      press_at: held,
+      is_squeezed: false,
+      is_pointing: false,
+      is_hold: false,
+      stick: { right: 0, up: 0 },
+    },
+    false,
+    false,
+  );
+}
+
+/** Thumb and index meet at a place, the wrist is behind and above it. */
+function pinching_hand(at: Vector3): Vector3[] {
+  const wrist = at.clone().add(new Vector3(0.07, 0.1, 0.12));
+  const finger = (tip: Vector3, knuckle: Vector3, many: number): Vector3[] =>
+    Array.from({ length: many }, (_, i) => {
+      const share = i / (many - 1);
+      const bent = new Vector3(0, 0.035 * Math.sin(Math.PI * share), 0);
+      return knuckle.clone().lerp(tip, share).add(bent);
+    });
+  const knuckle = (nth: number): Vector3 =>
+    wrist.clone().add(new Vector3(-0.035 + 0.02 * nth, -0.005, -0.02));
+  const tips = [0, 0.02, 0.045, 0.07].map((right, nth) =>
+    at.clone().add(new Vector3(right, 0.012 * nth, -0.03 * Math.sign(nth))),
+  );
+  return [
+    wrist,
+    ...finger(at, wrist.clone().add(new Vector3(-0.05, -0.02, 0)), 4),
+    ...tips.flatMap((tip, nth) => finger(tip, knuckle(nth), 5)),
+  ];
+}
