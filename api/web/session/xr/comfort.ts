@@ -50,6 +50,13 @@ export class Flight {
   }
 }
 
+const LEAST_OVER_BED_M = 0.3;
+
+/** By how much who flew into the bed is lifted out of it. */
+export function out_of_bed_m(eye_up_m: number, bed_m: number | null): number {
+  return bed_m === null ? 0 : Math.max(0, bed_m + LEAST_OVER_BED_M - eye_up_m);
+}
+
 const NARROWS_IN_S = 0.15;
 
 /** How narrow the view is: 0 open, 1 a tunnel. */

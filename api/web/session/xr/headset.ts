@@ -12,7 +12,7 @@ import type { SceneView, Shown } from '../scene/scene_view';
 import { colours } from '../look/palette';
 import type { Station } from '../station';
 import { board_lines, helm_buttons, may_hold, type BoardButton } from './board_words';
-import { Flight, narrowed, SEATED_LIFT_M, SnapTurn } from './comfort';
+import { Flight, narrowed, out_of_bed_m, SEATED_LIFT_M, SnapTurn } from './comfort';
 import { HelmHand } from './helm_hand';
 import { FEATURES_OF, SESSION_OF, SPACE_OF, type Mode } from './modes';
 import { HandReader, turn_of, type HandReading, type Side } from './reading';
@@ -224,7 +224,7 @@ class Stay {
     wearer.rig.stand_at(landing.at);
   }
 
-  /** Flight and turns by thumb-stick. Squeezed, it is for the vehicle, also where that is refused. */
+  /** Flight and turns by thumb-stick. Squeezed, it is the vehicle's, also where that is refused. */
   private move(step_s: number): boolean {
     const there = this.hands.filter((it) => it.kind === 'controller');
     if (this.helm.held_by !== null || there.some((it) => it.is_squeezed)) return false;
@@ -238,6 +238,8 @@ class Stay {
     const by = this.flight.step(rig.looks_along(), move, rise, step_s);
     if (by.length() === 0) return false;
     rig.move(is_table ? by.multiplyScalar(rig.scale * TABLE_FLIGHT) : by);
+    if (!is_table)
+      rig.move(new Vector3(0, out_of_bed_m(rig.head_at().y, this.view.surround.bed_m), 0));
     return true;
   }
 

@@ -8,7 +8,8 @@ import { default_settings, read_settings } from 'page/look/settings';
 import { empty_session } from 'page/session/state';
 import { at_place, type Place } from 'page/scene/axes';
 import { Board, button_boxes } from 'page/xr/board';
-import { Flight, narrowed, SnapTurn } from 'page/xr/comfort';
+import { Flight, narrowed, out_of_bed_m, SnapTurn } from 'page/xr/comfort';
+import { FloorAhead } from 'page/xr/floor_ahead';
 import { controllers_lean, HelmHand, moved_lean } from 'page/xr/helm_hand';
 import { BONES, is_pinch, is_pointing_hand, JOINTS } from 'page/xr/joints';
 import { FEATURES_OF, modes_there } from 'page/xr/modes';
@@ -47,7 +48,7 @@ test('thrown upwards it lands on the way down, as far as v v sin(2 a) / g on the
   near(0 - landing!.at.z, (100 * Math.sin(2 * up_rad)) / 9.81, 1e-6);
 });
 
-test('who stands on the water throws through it to the bed, who is under it up to the water', () => {
+test('who stands on the water throws to the bed, who is under it to the water', () => {
   const down = landing_of(new Vector3(0, 1, 0), ahead_up(-0.5), {
     ...OPEN_SEA,
     is_water_open: true,
@@ -128,6 +129,11 @@ test('flight goes where one looks, begins at 3 m/s, and stops at once', () => {
   assert.ok(flight.step(look, { right: 0, up: 1 }, 0, 1).length() < 0.4);
 });
 
+test('nobody flies into the bed', () => {
+  near(out_of_bed_m(-31, -30), 1.3);
+  assert.deepEqual([out_of_bed_m(-29.5, -30), out_of_bed_m(-31, null)], [0, 0]);
+});
+
 test('the view narrows while one moves, and opens again', () => {
   let narrow = 0;
   for (let i = 0; i < 10; i += 1) narrow = narrowed(narrow, true, 0.02);
@@ -137,7 +143,7 @@ test('the view narrows while one moves, and opens again', () => {
   assert.equal(narrowed(narrow, false, 1), 0);
 });
 
-test('who arrives looks from where the desk looked, seated or not, and stands on what was hit', () => {
+test('who arrives looks from where the desk looked, seated or not, and stands on a landing', () => {
   for (const lift_m of [0, 0.45]) {
     const rig = new Rig();
     rig.lift_m = lift_m;
@@ -412,6 +418,33 @@ test('the middle of the table is the chosen vehicle at sea level, or the middle 
   session.poses.set(2, { vehicle: 2, ...pose, east_m: 30 } as never);
   assert.deepEqual(table_middle(session, 1), new Vector3(10, 0, -20));
   near_place(table_middle(session, null), 20, 0, -20);
+});
+
+test('the table may be laid where the headset finds a floor', async () => {
+  const floor = new FloorAhead();
+  const space = {} as XRReferenceSpace;
+  const position = { x: 1, y: -1.4, z: -2 };
+  let results: unknown[] = [{ getPose: () => ({ transform: { position } }) }];
+  const frame = { getHitTestResults: () => results } as unknown as XRFrame;
+  floor.look(frame, space);
+  assert.equal(floor.at, null); // nobody has asked yet
+  const refuses = { requestReferenceSpace: () => Promise.reject(new Error('no')) };
+  await floor.begin(refuses as unknown as XRSession);
+  floor.look(frame, space);
+  assert.equal(floor.at, null);
+  const session = {
+    requestReferenceSpace: async () => space,
+    requestHitTestSource: async () => ({}),
+  } as unknown as XRSession;
+  await floor.begin(session);
+  floor.look(frame, space);
+  near_place(floor.at!, 1, -1.4, -2);
+  const { rig } = table_with([]);
+  lay_table(rig, new Vector3(120, 0, -340), floor.at);
+  near_place(rig.in_scene(floor.at!), 120, 0, -340);
+  results = [];
+  floor.look(frame, space);
+  assert.equal(floor.at, null);
 });
 
 // The board.
