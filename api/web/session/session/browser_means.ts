@@ -20,24 +20,44 @@ async function check(session_id: string, token: string): Promise<Check> {
   }
 }
 
+/** Something of a session, for who has a seat in it; null: it cannot be had now. */
+async function had(
+  session_id: string,
+  token: string,
+  path: readonly (string | number)[],
+): Promise<Response | null> {
+  const parts = ['', 'sessions', session_id, ...path].map((it) => encodeURIComponent(it));
+  try {
+    const answer = await fetch(parts.join('/'), {
+      headers: { Authorization: `Bearer ${token}` },
+      cache: 'no-store',
+      credentials: 'omit',
+      signal: AbortSignal.timeout(4000),
+    });
+    return answer.ok ? answer : null;
+  } catch {
+    return null;
+  }
+}
+
 async function picture(
   session_id: string,
   token: string,
   vehicle: number,
   sensor: string,
 ): Promise<Blob | null> {
-  const path = `/sessions/${encodeURIComponent(session_id)}/pictures`;
-  try {
-    const answer = await fetch(`${path}/${vehicle}/${encodeURIComponent(sensor)}`, {
-      headers: { Authorization: `Bearer ${token}` },
-      cache: 'no-store',
-      credentials: 'omit',
-      signal: AbortSignal.timeout(4000),
-    });
-    return answer.ok ? await answer.blob() : null;
-  } catch {
-    return null;
-  }
+  const answer = await had(session_id, token, ['pictures', vehicle, sensor]);
+  return answer === null ? null : answer.blob().catch(() => null);
+}
+
+async function surface(
+  session_id: string,
+  token: string,
+  vehicle: number,
+  surface: string,
+): Promise<unknown> {
+  const answer = await had(session_id, token, ['surfaces', vehicle, surface]);
+  return answer === null ? null : answer.json().catch(() => null);
 }
 
 async function problem_text(answer: Response): Promise<string> {
@@ -58,6 +78,7 @@ export const browser_means: Means = {
   },
   check,
   picture,
+  surface,
   now_ms: () => performance.now(),
   after: (wait_ms, run) => setTimeout(run, wait_ms) as unknown as number,
   cancel: (timer) => clearTimeout(timer),

@@ -1,12 +1,18 @@
 // The turbines of the run's site: where they stand, and what each makes of the wind now.
 import { as_list, as_number, as_object } from './message';
 
+/** What one makes in free wind at hub height. */
+export interface PowerAt {
+  wind_m_s: number;
+  power_w: number;
+}
+
 export interface Turbines {
   hub_height_m: number;
   rotor_diameter_m: number;
   rated_w: number; // of each
-  curve: { wind_m_s: number; power_w: number }[]; // rising winds; empty: not told
   places: { east_m: number; north_m: number }[];
+  curve: PowerAt[]; // of each, by rising wind; empty: not told
 }
 
 /** What is left of the free wind at hub height, so many rotor diameters behind a turbine. */
@@ -36,18 +42,16 @@ export function read_turbines(value: unknown): Turbines | null {
     if (east_m != null && north_m != null) places.push({ east_m, north_m });
   }
   const rated_w = as_number(it.rated_w) ?? Number.NaN;
-  return { hub_height_m, rotor_diameter_m, rated_w, curve: read_curve(it.curve), places };
+  return { hub_height_m, rotor_diameter_m, rated_w, places, curve: read_curve(it.curve) };
 }
 
-function read_curve(value: unknown): Turbines['curve'] {
-  const curve: Turbines['curve'] = [];
+function read_curve(value: unknown): PowerAt[] {
+  const made: PowerAt[] = [];
   for (const one of as_list(value)) {
     const [wind_m_s, power_w] = as_list(one).map(as_number);
-    const before_m_s = curve[curve.length - 1]?.wind_m_s ?? -Infinity;
-    if (wind_m_s == null || power_w == null || wind_m_s <= before_m_s) continue;
-    curve.push({ wind_m_s, power_w });
+    if (wind_m_s != null && power_w != null) made.push({ wind_m_s, power_w });
   }
-  return curve;
+  return made.sort((a, b) => a.wind_m_s - b.wind_m_s);
 }
 
 export function read_farm(value: unknown): FarmNow | null {

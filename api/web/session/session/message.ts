@@ -1,7 +1,10 @@
 // What the server says, read from JSON with suspicion: a field that is missing or of another kind
 // becomes null or empty, one that is not known is left out. The contract: api/docs/session_wire.md.
 
-export type Json = Record<string, unknown>;
+import { as_list, as_number, as_object, as_text, type Json } from './json';
+import { read_mounts, type Mount } from './thrust';
+
+export { as_list, as_number, as_object, as_text, type Json };
 export type Role = 'spectator' | 'operator' | 'supervisor';
 /** A seat's number, or the name of an agent. */
 export type Holder = number | string;
@@ -23,6 +26,7 @@ export interface Vehicle {
   width_m: number;
   thrusters: number;
   thruster_names: string[];
+  mounts: Mount[]; // none: not told
   most_speed_m_s: number | null; // of shared; null: as fast as it can
   cruise_m_s: number | null;
   stand_off_m: number | null;
@@ -145,21 +149,6 @@ export interface Shaped {
 }
 export type Shaping = number | boolean | null;
 
-export function as_object(value: unknown): Json | null {
-  return typeof value === 'object' && value !== null && !Array.isArray(value)
-    ? (value as Json)
-    : null;
-}
-export function as_list(value: unknown): unknown[] {
-  return Array.isArray(value) ? value : [];
-}
-export function as_number(value: unknown): number | null {
-  return typeof value === 'number' && Number.isFinite(value) ? value : null;
-}
-export function as_text(value: unknown): string {
-  if (typeof value === 'string') return value;
-  return typeof value === 'number' || typeof value === 'boolean' ? String(value) : '';
-}
 function holder_of(value: unknown): Holder | null {
   return typeof value === 'string' && value !== '' ? value : as_number(value);
 }
@@ -217,6 +206,7 @@ export function read_vehicle(it: Json): Vehicle | null {
     width_m: as_number(it.width_m) ?? 0.6,
     thrusters: as_number(it.thrusters) ?? thruster_names.length,
     thruster_names,
+    mounts: read_mounts(it.mounts),
     most_speed_m_s: as_number(it.most_speed_m_s),
     cruise_m_s: as_number(it.cruise_m_s),
     stand_off_m: as_number(it.stand_off_m),

@@ -18,10 +18,20 @@ import type {
   Structure,
   Vehicle,
 } from './message';
+import { read_bed, type Bed } from './bed';
 import { read_looks, read_notes, type Look, type Note } from './gathering';
 import { read_turbines, type Turbines } from './farm';
+import {
+  read_findings,
+  read_surfaces,
+  take_covered,
+  type Finding,
+  type Surface,
+} from './inspected';
+import { read_cables, read_moorings, type Cable, type Mooring } from './laid';
 import { read_playback, type Playback } from './playback';
 import { read_sea, type Sea } from './sea';
+import { read_thrust } from './thrust';
 
 const ACTIONS_KEPT = 400;
 const WORDS_KEPT = 50;
@@ -51,12 +61,21 @@ export interface Session {
   weather: Weather | null;
   /** Null: calm, or a recording, which does not tell. */
   sea: Sea | null;
+  /** Null: nobody knows it, or it is not told. */
+  bed: Bed | null;
+  cables: Cable[];
+  moorings: Mooring[];
   vessels: Vessel[];
   turbines: Turbines | null;
   /** Of wind, waves and current, its name; null: they are made up; undefined: not told. */
   forecast: string | null | undefined;
   /** Of each vehicle on a tether its nodes, from the top to it. */
   lines: Map<number, Point[]>;
+  /** What its thrusters do, from -1 to 1, by vehicle. */
+  thrusts: Map<number, number[]>;
+  /** What is inspected, by vehicle and surface. */
+  surfaces: Map<string, Surface>;
+  findings: Map<number, Finding[]>;
   looks: Look[];
   notes: Note[];
   actions: Action[];
@@ -86,10 +105,16 @@ export function empty_session(): Session {
     pictures: new Map(),
     weather: null,
     sea: null,
+    bed: null,
+    cables: [],
+    moorings: [],
     vessels: [],
     turbines: null,
     forecast: undefined,
     lines: new Map(),
+    thrusts: new Map(),
+    surfaces: new Map(),
+    findings: new Map(),
     looks: [],
     notes: [],
     actions: [],
@@ -145,6 +170,15 @@ export function tell(session: Session, message: Json): boolean {
     case 'line':
       take_line(session, message);
       return true;
+    case 'thrust':
+      take_thrust(session, message);
+      return true;
+    case 'covered':
+      take_covered(session.surfaces, message);
+      return true;
+    case 'findings':
+      take_findings(session, message);
+      return true;
     case 'traffic':
       session.vessels = read_vessels(message.vessels);
       return true;
@@ -187,6 +221,16 @@ function take_line(session: Session, message: Json): void {
   else session.lines.set(vehicle, nodes);
 }
 
+function take_thrust(session: Session, value: unknown): void {
+  const thrust = read_thrust(value);
+  if (thrust !== null) session.thrusts.set(thrust.vehicle, thrust.share);
+}
+
+function take_findings(session: Session, value: unknown): void {
+  const told = read_findings(value);
+  if (told !== null) session.findings.set(told.vehicle, told.found);
+}
+
 function take_status(session: Session, status: Status): void {
   session.statuses.set(status.vehicle, status);
   if (status.alarms === null) return;
@@ -225,6 +269,15 @@ function welcome(session: Session, message: Json): void {
   session.notes = read_notes(message.notes);
   session.lines.clear();
   for (const line of read.as_list(message.lines)) take_line(session, read.as_object(line) ?? {});
+  session.bed = read_bed(message.bed);
+  session.cables = read_cables(message.cables);
+  session.moorings = read_moorings(message.moorings);
+  session.thrusts.clear();
+  for (const thrust of read.as_list(message.thrusts)) take_thrust(session, thrust);
+  session.surfaces = read_surfaces(message.surfaces);
+  for (const covered of read.as_list(message.covered)) take_covered(session.surfaces, covered);
+  session.findings.clear();
+  for (const found of read.as_list(message.findings)) take_findings(session, found);
   session.vessels = read_vessels(read.as_object(message.traffic)?.vessels);
   // What a welcome does not carry is told anew after it: the old is of a link that is gone.
   session.poses.clear();

@@ -35,12 +35,9 @@ export interface Means {
   open(session_id: string, protocols: string[]): Socket;
   check(session_id: string, token: string): Promise<Check>;
   /** The last picture of a camera; null: it cannot be had now. */
-  picture(
-    session_id: string,
-    token: string,
-    vehicle: number,
-    sensor: string,
-  ): Promise<Blob | null>;
+  picture(session_id: string, token: string, vehicle: number, sensor: string): Promise<Blob | null>;
+  /** What a vehicle inspects, as it is drawn: JSON; null: it cannot be had now. */
+  surface(session_id: string, token: string, vehicle: number, surface: string): Promise<unknown>;
   now_ms(): number;
   after(wait_ms: number, run: () => void): number;
   cancel(timer: number): void;
@@ -112,6 +109,11 @@ export class Wire {
   /** The last picture of a camera, for this seat. */
   picture(vehicle: number, sensor: string): Promise<Blob | null> {
     return this.means.picture(this.session_id, this.token, vehicle, sensor);
+  }
+
+  /** A surface that is inspected, for this seat. */
+  surface(vehicle: number, surface: string): Promise<unknown> {
+    return this.means.surface(this.session_id, this.token, vehicle, surface);
   }
 
   /** A new seat, with a role's token. */

@@ -48,6 +48,7 @@ class World {
   sockets: FakeSocket[] = [];
   checked: string[] = [];
   pictures: string[] = [];
+  surfaces: string[] = [];
   states: LinkState[] = [];
   resume: { token: string } | null = null;
   private timers: { at: number; run: () => void; id: number }[] = [];
@@ -67,6 +68,10 @@ class World {
       },
       picture: (session_id, token, vehicle, sensor) => {
         this.pictures.push([session_id, token, vehicle, sensor].join(' '));
+        return Promise.resolve(null);
+      },
+      surface: (session_id, token, vehicle, surface) => {
+        this.surfaces.push([session_id, token, vehicle, surface].join(' '));
         return Promise.resolve(null);
       },
       now_ms: () => this.now,
@@ -156,6 +161,14 @@ test('APictureIsAskedForWithTheTokenOfTheSeat', async () => {
   await world.sit('resume-1');
   await world.wire.picture(1, 'rov_camera');
   assert.deepEqual(world.pictures, ['live resume-1 1 rov_camera']);
+});
+
+test('ASurfaceIsAskedForWithTheTokenOfTheSeat', async () => {
+  const world = new World();
+  world.wire.join('live', 'role-token', 'Ann');
+  await world.sit('resume-1');
+  await world.wire.surface(1, '0');
+  assert.deepEqual(world.surfaces, ['live resume-1 1 0']);
 });
 
 test('NothingIsSentOverACutNorKeptForAfter', async () => {
