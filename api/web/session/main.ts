@@ -195,6 +195,7 @@ const plan_buttons = element(
 const scene = scene_panel(station, {
   way,
   orders,
+  last_picture: picture.last,
   shown,
   drawn: tell_drawn,
   choose,

@@ -15,6 +15,8 @@ export interface Colours {
   bed: string;
   sky: string;
   deep: string;
+  covered: string;
+  not_covered: string;
 }
 
 let now: Colours | null = null;
@@ -41,6 +43,8 @@ export function colours(): Colours {
       bed: named('bed'),
       sky: named('sky'),
       deep: named('deep'),
+      covered: named('covered'),
+      not_covered: named('not-covered'),
     };
   }
   return now;

@@ -1,12 +1,18 @@
 // What the cameras of the chosen vehicle see, at their rate: fetched whenever the server says that
 // there is a new picture, and drawn as it came.
 import { choice, element, set_hidden, set_text } from '../../look/element';
+import type { LastPicture } from '../scene/picture_view';
 import type { Picture } from '../session/message';
 import type { Panel, Station } from '../station';
 
 const IS_OLD_MS = 5000;
 
-export function picture_panel(station: Station): Panel {
+export interface PicturePanel extends Panel {
+  /** What is drawn in it; null: nothing yet. */
+  last(): LastPicture | null;
+}
+
+export function picture_panel(station: Station): PicturePanel {
   const canvas = element('canvas', { role: 'img' });
   const note = element('p', { class: 'note' });
   const cameras = element('div', { class: 'cameras' });
@@ -82,7 +88,7 @@ export function picture_panel(station: Station): Panel {
     note.classList.toggle('alarm', age_ms > IS_OLD_MS);
     set_text(note, picture_text(drawn, late_ms, age_ms));
   };
-  return { box, show };
+  return { box, show, last: () => drawn && { of: drawn, canvas } };
 }
 
 export function picture_text(drawn: Picture | null, late_ms: number, age_ms: number): string {

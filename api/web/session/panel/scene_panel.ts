@@ -5,10 +5,13 @@ import { approaches_in } from '../scene/approach';
 import type { Stand } from '../scene/eye';
 import type { InPicture } from '../scene/handles';
 import { scene_in_words } from '../scene/in_words';
+import type { LastPicture } from '../scene/picture_view';
 import type { Session } from '../session/state';
 import type { Station } from '../station';
 import { current_tools } from './current_tools';
+import { layer_tools } from './layer_tools';
 import { scene_people } from './scene_people';
+import { surfaces_fetched } from './surfaces_fetched';
 import { in_picture, way_hand } from './way_hand';
 import type { OrdersBar } from './orders_bar';
 import { way_tools } from './way_tools';
@@ -43,6 +46,7 @@ function show_words(list: HTMLElement, session: Session): void {
 export interface SceneMeans {
   way: WaypointEdit;
   orders: OrdersBar;
+  last_picture: () => LastPicture | null;
   shown: () => Shown;
   /** A frame was drawn in the headset. */
   drawn: () => void;
@@ -51,7 +55,7 @@ export interface SceneMeans {
 }
 
 export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
-  const { way, on_change } = means;
+  const { way, last_picture, on_change } = means;
   const canvas = element('canvas', {
     id: 'scene-canvas',
     tabindex: 0,
@@ -115,6 +119,8 @@ export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
     },
     { 'aria-pressed': 'false' },
   );
+  const layers = layer_tools(on_change);
+  const fetch_surfaces = surfaces_fetched(station, on_change);
   const people = scene_people(station, on_change);
   const hand = way_hand(way);
   const on_way = way_tools(way, hand);
@@ -147,6 +153,7 @@ export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
     all,
     clear,
     wakes,
+    ...layers.nodes,
     ...current.nodes,
     ...people.nodes,
     ...on_way.nodes,
@@ -159,6 +166,7 @@ export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
     if (view === null) {
       try {
         view = new SceneView(canvas, labels);
+        view.layers = layers.layers;
         stands.show(view.eye.stand);
         set_text(note, '');
       } catch {
@@ -246,7 +254,12 @@ export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
   const draw = (now: Shown): void => {
     shown = now;
     if (box.hidden) return;
+    if (view !== null) {
+      view.site.picture = last_picture();
+      if (layers.layers.inspected) fetch_surfaces(view.site.inspected);
+    }
     view?.draw(now);
+    layers.show(now.session, now.chosen);
     set_hidden(wakes, now.session.turbines === null);
     current.show(now.session.weather?.currents ?? []);
     people.show();

@@ -4,6 +4,7 @@ import { current_at } from '../session/currents';
 import type { Sun } from '../session/around';
 import type { Session } from '../session/state';
 import type { Approach } from './approach';
+import { site_in_words } from './site_words';
 
 const EVERY_M = 10; // depths of which the current is told
 
@@ -26,6 +27,7 @@ export function scene_in_words(session: Session, approaches: readonly Approach[]
   const { weather, turbines } = session;
   if (session.forecast !== undefined) lines.push(water_words(session));
   if (weather?.sun != null) lines.push(sun_words(weather.sun));
+  lines.push(...site_in_words(session));
   const currents = weather?.currents ?? [];
   const deepest_m = currents.at(-1)?.up_m ?? 0;
   for (let up_m = 0; up_m >= deepest_m && currents.length > 1; up_m -= EVERY_M) {

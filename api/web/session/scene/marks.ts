@@ -6,23 +6,39 @@ import type { CameraPointing, Vehicle } from '../session/message';
 import { CAMERA_FIELD_RAD } from '../view/vehicle_shape';
 import { at_place, turned, type Place } from './axes';
 
-const ASPECT = 16 / 9;
+export const USUAL_ASPECT = 16 / 9;
 const REACH_M = 4;
 
-/** The edges of what its camera sees, as far as a few metres; a line in one stroke. */
-export function camera_edges(pose: Pose, pointing: CameraPointing): Vector3[] {
+/**
+ * Where the corners of its picture are seen from, a few metres off: upper left, upper right, lower
+ * right, lower left.
+ */
+export function camera_corners(
+  pose: Pose,
+  pointing: CameraPointing,
+  aspect: number,
+): [Vector3, Vector3, Vector3, Vector3] {
   const half = Math.tan(CAMERA_FIELD_RAD / 2) / pointing.zoom;
   const pan = (pointing.pan_deg * Math.PI) / 180;
   const tilt = (pointing.tilt_deg * Math.PI) / 180;
-  const from = at_place(pose);
   const corner = (right: number, up: number): Vector3 =>
-    new Vector3(right * half, (up * half) / ASPECT, -1)
+    new Vector3(right * half, (up * half) / aspect, -1)
       .multiplyScalar(REACH_M)
       .applyAxisAngle(new Vector3(1, 0, 0), tilt)
       .applyAxisAngle(new Vector3(0, 1, 0), -pan)
       .applyEuler(turned(pose))
-      .add(from);
-  const [a, b, c, d] = [corner(-1, 1), corner(1, 1), corner(1, -1), corner(-1, -1)];
+      .add(at_place(pose));
+  return [corner(-1, 1), corner(1, 1), corner(1, -1), corner(-1, -1)];
+}
+
+/** The edges of what its camera sees, as far as a few metres; a line in one stroke. */
+export function camera_edges(
+  pose: Pose,
+  pointing: CameraPointing,
+  aspect = USUAL_ASPECT,
+): Vector3[] {
+  const from = at_place(pose);
+  const [a, b, c, d] = camera_corners(pose, pointing, aspect);
   return [from, a, b, from, c, d, from, a, d, c, b];
 }
 

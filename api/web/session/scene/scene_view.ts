@@ -3,6 +3,7 @@
 import {
   ArrowHelper,
   Color,
+  Euler,
   Mesh,
   MeshBasicMaterial,
   type PerspectiveCamera,
@@ -22,7 +23,9 @@ import type { Tracks } from '../view/tracks';
 import { seen_in_water_m } from './air_and_water';
 import { approaches_in, type Approach } from './approach';
 import { at_place, at_scene, turned, type Place } from './axes';
+import { is_small, type Lens } from './detail';
 import { Eye } from './eye';
+import { FarMarks } from './far_marks';
 import { FarmView } from './farm_view';
 import type { InPicture } from './handles';
 import { FlowSlice, Hodograph } from './flow_view';
@@ -30,7 +33,10 @@ import { Kept } from './kept';
 import { Labels, names_in, type Name } from './labels';
 import { camera_edges, home_mark, ring } from './marks';
 import { people_names, place_people } from './people_shown';
-import { structure_shape, vehicle_shape, vessel_shape } from './shapes';
+import { ALL_LAYERS, type Layers } from './layers';
+import { vehicle_shape, vessel_shape, vessel_size } from './shapes';
+import { site_names } from './site_names';
+import { SiteView, is_far } from './site_view';
 import { Surround } from './surround';
 import { draft_names, place_draft } from './way_shown';
 
@@ -60,8 +66,11 @@ export class SceneView {
   slice_up_m: number | null = null;
   shows_wakes = false;
   visitor: Visitor | null = null;
+  layers: Layers = { ...ALL_LAYERS };
   readonly scene = new Scene();
   readonly surround = new Surround(this.scene);
+  readonly site = new SiteView(this.scene);
+  private readonly far = new FarMarks(this.scene);
   private readonly kept = new Kept(this.scene);
   private readonly slice = new FlowSlice();
   private readonly hodograph = new Hodograph();
@@ -118,8 +127,11 @@ export class SceneView {
     const things = this.scene.children.filter((it) => PRESSED.test(it.name));
     const [hit] = new Raycaster(from, ahead).intersectObjects(things, true);
     if (hit !== undefined) return at_scene(hit.point);
-    const up_m = from.y > 0 ? 0 : this.surround.bed_m;
-    const away_m = up_m === null ? Number.NaN : (up_m - from.y) / ahead.y;
+    if (from.y <= 0) {
+      const [bed] = new Raycaster(from, ahead).intersectObjects(this.surround.bed.ground());
+      return bed === undefined ? null : at_scene(bed.point);
+    }
+    const away_m = (0 - from.y) / ahead.y;
     if (!(away_m > 0 && away_m <= FARTHEST_M)) return null;
     return at_scene(from.clone().addScaledVector(ahead, away_m));
   }
@@ -149,42 +161,59 @@ export class SceneView {
       this.eye.come_within(0.5 * seen_in_water_m(session.weather));
     this.chosen_before = chosen;
     this.eye.place(pose, pointing, vehicle?.length_m ?? 1);
-    place_draft(this.kept, draft, this.surround.bed_m, colours());
-    this.place_things(session, tracks, chosen);
+    place_draft(this.kept, draft, this.surround.bed, colours());
+    const lens = { camera: this.eye.camera, high_px: high };
+    this.place_things(session, tracks, chosen, lens);
     this.place_farm(session);
+    this.site.show(session, lens, this.surround.bed, this.layers);
+    const is_seen = this.layers.picture && this.eye.stand !== 'on_board';
+    this.site.show_picture(is_seen ? (pose ?? null) : null, session);
     this.place_flow(session, pose ?? null);
     const { camera } = visitor ?? this.eye;
     const from = visitor?.eye() ?? camera.position;
     this.surround.show(session, from, visitor !== null, visitor?.is_table ?? false);
     const names = names_in(session, chosen, from, this.approaches);
     names.push(...people_names(session), ...draft_names(draft));
+    names.push(...site_names(session, this.site.inspected, from, this.layers));
     visitor?.before_drawn(shown, names);
     renderer.render(this.scene, camera);
     this.labels.show(visitor === null ? names : [], camera, wide, high);
   }
 
-  private place_things(session: Session, tracks: Tracks, chosen: number | null): void {
-    for (const [nth, structure] of session.structures.entries())
-      this.kept.of(`structure ${nth} ${session.id}`, () => structure_shape(structure));
+  private place_things(session: Session, tracks: Tracks, chosen: number | null, lens: Lens): void {
+    this.far.begin();
     for (const pose of session.poses.values()) {
       const vehicle = session.vehicles.get(pose.vehicle);
       if (vehicle === undefined) continue;
-      const shape = this.kept.of(`vehicle ${pose.vehicle} ${vehicle.model}`, () =>
-        vehicle_shape(vehicle),
-      );
-      shape.position.copy(at_place(pose));
-      shape.rotation.copy(turned(pose));
-      this.place_stream(pose);
+      if (is_far(lens, pose, vehicle)) {
+        const { length_m, width_m } = vehicle;
+        this.far.add('vehicle', at_place(pose), turned(pose), length_m, width_m);
+      } else {
+        const shape = this.kept.of(`vehicle ${pose.vehicle} ${vehicle.model}`, () =>
+          vehicle_shape(vehicle),
+        );
+        shape.position.copy(at_place(pose));
+        shape.rotation.copy(turned(pose));
+        this.place_stream(pose);
+      }
       this.place_line(session, pose);
       if (pose.vehicle !== chosen) continue;
       this.place_way(session, tracks, pose.vehicle);
       this.place_marks(session, vehicle, pose);
     }
     for (const vessel of session.vessels) {
+      const at = at_place({ ...vessel, up_m: 0 }); // how it heaves nobody tells
+      const turn = new Euler(0, -((vessel.course_deg ?? 0) * Math.PI) / 180, 0);
+      const { long_m, wide_m } = vessel_size(vessel);
+      if (is_small(lens, at, long_m)) {
+        this.far.add('vessel', at, turn, long_m, wide_m);
+        continue;
+      }
       const shape = this.kept.of(`vessel ${vessel.mmsi}`, () => vessel_shape(vessel));
-      shape.position.copy(at_place({ ...vessel, up_m: 0 })); // how it heaves nobody tells
-      shape.rotation.y = -((vessel.course_deg ?? 0) * Math.PI) / 180;
+      shape.position.copy(at);
+      shape.rotation.copy(turn);
     }
+    this.far.end();
     this.approaches = approaches_in(session);
     for (const [nth, { own, others }] of this.approaches.entries())
       this.kept.line(`approach ${nth}`, [at_place(own), at_place(others)], colours().alarm);
@@ -218,7 +247,11 @@ export class SceneView {
     const { accent, amber, quiet } = colours();
     const pointing = session.statuses.get(pose.vehicle)?.camera ?? null;
     if (pointing !== null && this.eye.stand !== 'on_board')
-      this.kept.line('camera', camera_edges(pose, pointing), accent);
+      this.kept.line(
+        'camera',
+        camera_edges(pose, pointing, this.site.aspect(pose.vehicle)),
+        accent,
+      );
     const home = home_mark(vehicle);
     if (home !== null) this.kept.line('home', home, quiet);
     if (vehicle.zone !== null)
@@ -254,7 +287,8 @@ export class SceneView {
       this.farm = { of: session.turbines, view: new FarmView(session.turbines) };
       this.scene.add(this.farm.view.group);
     }
-    this.farm.view.show(session.weather, session.frame?.time_s ?? 0, this.shows_wakes);
+    const time_s = session.frame?.time_s ?? 0;
+    this.farm.view.show(session.weather, time_s, this.shows_wakes, this.eye.camera.position);
   }
 
   private place_flow(session: Session, chosen: Pose | null): void {

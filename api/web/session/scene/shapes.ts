@@ -3,7 +3,6 @@ import {
   BoxGeometry,
   CapsuleGeometry,
   ConeGeometry,
-  CylinderGeometry,
   ExtrudeGeometry,
   Group,
   Mesh,
@@ -12,13 +11,11 @@ import {
   TorusGeometry,
 } from 'three';
 import type { Vessel } from '../session/around';
-import type { Structure, Vehicle } from '../session/message';
-import { at_place } from './axes';
+import type { Vehicle } from '../session/message';
 
 const HULL = new MeshLambertMaterial({ color: '#e2b33c' });
 const DARK = new MeshLambertMaterial({ color: '#2b3138' });
 const STEEL = new MeshLambertMaterial({ color: '#8d979f' });
-const PAINT = new MeshLambertMaterial({ color: '#e7c53a' });
 const SHIP = new MeshLambertMaterial({ color: '#7c4136' });
 
 /** The bow along -z, as long and wide as the vehicle says. */
@@ -77,20 +74,16 @@ function hull_of(long: number, wide: number, material: MeshLambertMaterial): Gro
   return made;
 }
 
-export function structure_shape(structure: Structure): Mesh {
-  const high = Math.max(0.1, structure.top_m - structure.bottom_m);
-  const shape = new CylinderGeometry(structure.radius_m, structure.radius_m, high, 40);
-  const made = new Mesh(shape, structure.top_m > 2 ? PAINT : STEEL);
-  made.position.copy(at_place({ ...structure, up_m: structure.bottom_m + high / 2 }));
-  made.name = structure.name;
-  return made;
-}
-
 const UNKNOWN_LENGTH_M = 30;
 
+export function vessel_size({ length_m }: Vessel): { long_m: number; wide_m: number } {
+  const long_m = length_m ?? UNKNOWN_LENGTH_M;
+  return { long_m, wide_m: long_m / 6 };
+}
+
 export function vessel_shape(vessel: Vessel): Group {
-  const long = vessel.length_m ?? UNKNOWN_LENGTH_M;
-  const made = hull_of(long, long / 6, SHIP);
+  const { long_m, wide_m } = vessel_size(vessel);
+  const made = hull_of(long_m, wide_m, SHIP);
   made.name = vessel.name;
   return made;
 }

@@ -4,9 +4,6 @@ import {
   Color,
   DirectionalLight,
   FogExp2,
-  Mesh,
-  MeshBasicMaterial,
-  PlaneGeometry,
   Vector2,
   type Scene,
   type Vector3,
@@ -15,6 +12,7 @@ import { colours } from '../look/palette';
 import { elevation_m } from '../session/sea';
 import type { Session } from '../session/state';
 import { fading_per_m, light_seen, lit, set_fog } from './air_and_water';
+import { BedView } from './bed_view';
 import { daylight_of } from './daylight';
 import { Sky } from './sky';
 import { Water } from './water';
@@ -26,19 +24,16 @@ const UNKNOWN_BY_DAY = 1.2; // of all sides, where the sun's own light is 2
 export class Surround {
   /** Under water as far as one likes, which is farther than anybody sees there. */
   is_clear = false;
-  /** Of the bed that is shown; null: none is. */
-  bed_m: number | null = null;
+  readonly bed = new BedView();
   private readonly fog = new FogExp2('#000000', 0);
   private readonly sky = new Sky();
   private readonly water = new Water();
-  private readonly bed = new Mesh(new PlaneGeometry(6000, 6000), new MeshBasicMaterial());
   private readonly sun = new DirectionalLight('#ffffff', 2);
   private readonly all_sides = new AmbientLight('#ffffff', UNKNOWN_BY_DAY);
 
   constructor(private readonly scene: Scene) {
     scene.fog = this.fog;
-    this.bed.rotation.x = -Math.PI / 2;
-    scene.add(this.all_sides, this.sun, this.sky.mesh, this.water.mesh, this.bed);
+    scene.add(this.all_sides, this.sun, this.sky.mesh, this.water.mesh, this.bed.group);
   }
 
   /**
@@ -73,32 +68,24 @@ export class Surround {
     this.all_sides.color.copy(lit(new Color('#ffffff'), left));
     this.all_sides.intensity = UNKNOWN_BY_DAY * daylight.light;
     this.water.paint(water, daylight.zenith.clone().lerp(daylight.horizon, 0.5));
-    this.bed_m = bed_of(session);
-    this.bed.visible = this.bed_m !== null;
-    this.bed.position.set(eye.x, this.bed_m ?? 0, eye.z);
-    this.bed.material.color.copy(lit(new Color(bed), left).multiplyScalar(daylight.light));
+    this.bed.group.visible = true;
+    this.bed.show(session, eye, lit(new Color(bed), left).multiplyScalar(daylight.light));
     if (is_table) this.show_on_table();
+  }
+
+  /** Of the bed that is drawn there; nothing: none is. */
+  bed_under(eye: Vector3): number | null {
+    return this.bed.up_at(eye.x, 0 - eye.z);
   }
 
   /** In plain light, whatever the hour is. */
   private show_on_table(): void {
     this.fog.density = 0;
     this.scene.background = null;
-    this.sky.mesh.visible = this.bed.visible = false;
+    this.sky.mesh.visible = this.bed.group.visible = false;
     this.sun.position.set(0.4, 1, 0.5);
     for (const light of [this.sun, this.all_sides]) light.color.set('#ffffff');
     this.sun.intensity = 1.6;
     this.all_sides.intensity = 1.4;
   }
-}
-
-/** Where the vehicles measure it, the deepest; else the depth that the waves were made for. */
-function bed_of(session: Session): number | null {
-  let deepest: number | null = null;
-  for (const pose of session.poses.values()) {
-    if (pose.bed_m === null) continue;
-    const bed_m = pose.up_m - pose.bed_m;
-    if (deepest === null || bed_m < deepest) deepest = bed_m;
-  }
-  return deepest ?? (session.sea === null ? null : -session.sea.depth_m);
 }

@@ -4,6 +4,7 @@ import type { Colours } from '../look/palette';
 import { level_text } from '../look/units';
 import type { PlanDrawing } from '../view/plan_view';
 import { at_place } from './axes';
+import type { BedView } from './bed_view';
 import type { Kept } from './kept';
 import type { Name } from './labels';
 
@@ -20,7 +21,7 @@ export function draft_names(draft: PlanDrawing['draft']): Name[] {
 export function place_draft(
   kept: Kept,
   draft: PlanDrawing['draft'],
-  bed_m: number | null,
+  bed: Pick<BedView, 'up_at'>,
   { accent, alarm, amber }: Pick<Colours, 'accent' | 'alarm' | 'amber'>,
 ): void {
   if (draft === null || draft.places.length === 0) return;
@@ -32,7 +33,8 @@ export function place_draft(
     ball.material.color.set(nth === draft.picked ? amber : colour);
     ball.position.copy(at_place(place));
     const ends = [at_place({ ...place, up_m: Math.max(0, place.up_m) })];
-    ends.push(at_place({ ...place, up_m: Math.min(place.up_m, bed_m ?? 0) }));
+    const bed_m = bed.up_at(place.east_m, place.north_m) ?? 0;
+    ends.push(at_place({ ...place, up_m: Math.min(place.up_m, bed_m) }));
     kept.line(`draft plumb ${nth}`, ends, nth === draft.picked ? amber : colour);
   });
   const through = draft.places.map(at_place);

@@ -206,7 +206,7 @@ export class Stay {
     const ahead = wearer.rig.along(thrower.ray.turned);
     const landing = landing_of(from, ahead, {
       structures: station.session.structures,
-      bed_m: this.view.surround.bed_m,
+      bed_m: this.view.surround.bed_under(wearer.rig.head_at()),
       is_water_open: Math.abs(wearer.rig.group.position.y) < 0.5,
     });
     if (thrower.is_pressed) {
@@ -236,7 +236,7 @@ export class Stay {
     if (by.length() === 0) return false;
     rig.move(is_table ? by.multiplyScalar(rig.scale * TABLE_FLIGHT) : by);
     if (!is_table)
-      rig.move(new Vector3(0, out_of_bed_m(rig.head_at().y, this.view.surround.bed_m), 0));
+      rig.move(new Vector3(0, out_of_bed_m(rig.head_at().y, this.view.surround.bed_under(rig.head_at())), 0));
     return true;
   }
 

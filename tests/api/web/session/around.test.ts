@@ -117,9 +117,10 @@ const weather = read_weather({
 test('a rotor looks into the wind and turns as fast as it is told, clockwise from upwind', () => {
   assert.ok(turbines !== null && weather !== null);
   const view = new FarmView(turbines);
-  view.show(weather, 100, true);
-  view.show(weather, 101, true);
-  const rotors = view.group.children[2] as InstancedMesh;
+  const eye = new Vector3(0, 90, 0);
+  view.show(weather, 100, true, eye);
+  view.show(weather, 101, true, eye);
+  const rotors = view.group.getObjectByName('rotors') as InstancedMesh;
   const matrix = new Matrix4();
   rotors.getMatrixAt(1, matrix);
   near(new Vector3().setFromMatrixPosition(matrix).distanceTo(new Vector3(900, 90, 0)), 0, 1e-3);
@@ -129,7 +130,7 @@ test('a rotor looks into the wind and turns as fast as it is told, clockwise fro
   const blade = new Vector3(0, 1, 0).transformDirection(matrix);
   near(blade.distanceTo(new Vector3(0, Math.cos(0.9), Math.sin(0.9))), 0, 1e-6);
   // The wakes lie downwind, at the height of the hub.
-  const wake = view.group.children[3] as InstancedMesh;
+  const wake = view.group.children[6] as InstancedMesh;
   wake.getMatrixAt(0, matrix);
   const middle = new Vector3(0, 0, 126).applyMatrix4(matrix);
   near(middle.distanceTo(new Vector3(126, 90, 0)), 0, 1e-3);
@@ -167,6 +168,7 @@ test('the scene is told in words', () => {
     'Wind, waves and current are of the forecast borkum 2026-06-21; ' +
       'set by hand: water visibility. Vehicles are as the twin has them.',
     'The sun stands 59° high at 164°; a clear sky is supposed.',
+    'Wind at hub height, 90 m up: 9.0 m/s from 270°.',
     'Current 0 m deep: 0.50 m/s to 090°.',
     'Current 10 m deep: 0.27 m/s to 068°.',
     'Current 20 m deep: 0.20 m/s to 000°.',

@@ -61,10 +61,10 @@ test('a way under edit has plumb lines to the surface and the bed', () => {
   const places = [{ east_m: 1, north_m: 2, up_m: -12, speed_m_s: 1 }];
   const palette = { accent: '#0000ff', alarm: '#ff0000', amber: '#ffaa00' };
   const draft = { places, picked: null, is_refused: true, is_loop: false };
-  place_draft(new Kept(scene), draft, -30, palette);
+  place_draft(new Kept(scene), draft, { up_at: () => -30 }, palette);
   const [plumb] = scene.children.filter((it) => it instanceof Line) as Line[];
   assert.deepEqual([...plumb!.geometry.getAttribute('position').array], [1, 0, -2, 1, -30, -2]);
   const ball = scene.children.find((it) => !(it instanceof Line));
   assert.equal(ball!.position.distanceTo(new Vector3(1, -12, -2)), 0);
-  place_draft(new Kept(new Scene()), null, null, palette);
+  place_draft(new Kept(new Scene()), null, { up_at: () => null }, palette);
 });

@@ -1,0 +1,85 @@
+// Many of one body, drawn with one call: filled anew for each picture, as many as there are.
+import {
+  Color,
+  InstancedMesh,
+  Object3D,
+  Sphere,
+  Vector3,
+  type BufferGeometry,
+  type Material,
+  type Scene,
+} from 'three';
+
+const ALL_OVER = new Sphere(new Vector3(), Infinity);
+
+export class Instances {
+  /** Where one is put before it is added. */
+  readonly part = new Object3D();
+  private drawn: InstancedMesh;
+  private many = 0;
+
+  constructor(
+    private readonly scene: Scene | Object3D,
+    geometry: BufferGeometry,
+    material: Material,
+    name = '', // of things that can be pressed
+  ) {
+    this.drawn = this.of(geometry, material, 16);
+    this.drawn.name = name;
+    scene.add(this.drawn);
+  }
+
+  get mesh(): InstancedMesh {
+    return this.drawn;
+  }
+
+  begin(): void {
+    this.many = 0;
+  }
+
+  /** One more, where `part` is. */
+  add(colour: Color | null = null): void {
+    if (this.many === this.drawn.instanceMatrix.count) this.grow();
+    this.part.updateMatrix();
+    this.drawn.setMatrixAt(this.many, this.part.matrix);
+    if (colour !== null) this.drawn.setColorAt(this.many, colour);
+    this.many += 1;
+  }
+
+  end(): void {
+    const { drawn } = this;
+    drawn.count = this.many;
+    drawn.visible = this.many > 0;
+    drawn.instanceMatrix.needsUpdate = true;
+    if (drawn.instanceColor !== null) drawn.instanceColor.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.scene.remove(this.drawn);
+    this.drawn.geometry.dispose();
+    this.drawn.dispose();
+  }
+
+  private of(geometry: BufferGeometry, material: Material, most: number): InstancedMesh {
+    const made = new InstancedMesh(geometry, material, most);
+    made.frustumCulled = false; // its box is of one of them
+    made.boundingSphere = ALL_OVER; // or it is reckoned anew for each picture
+    return made;
+  }
+
+  private grow(): void {
+    const before = this.drawn;
+    const after = this.of(before.geometry, before.material as Material, 2 * this.many);
+    after.name = before.name;
+    after.renderOrder = before.renderOrder;
+    (after.instanceMatrix.array as Float32Array).set(before.instanceMatrix.array);
+    if (before.instanceColor !== null) {
+      after.setColorAt(0, new Color());
+      (after.instanceColor!.array as Float32Array).set(before.instanceColor.array);
+    }
+    this.scene.remove(before);
+    before.dispose();
+    this.scene.add(after);
+    this.drawn = after;
+  }
+}
