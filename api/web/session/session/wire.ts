@@ -15,6 +15,8 @@ const SAW_EVERY_MS = 400;
 const TRY_TAKES_AT_MOST_MS = 5000;
 const TIME_EVERY_MS = 2000;
 const SILENCE_IS_A_CUT_MS = 6000;
+const LOOKS_EVERY_MS = 100;
+const SLEPT_MS = 2000; // between two looks
 
 /** The part of a WebSocket that is used. */
 export interface Socket {
@@ -84,6 +86,7 @@ export class Wire {
   private next_id = 1;
   private bye = '';
   private unanswered_since_ms: number | null = null; // a question of time, with nothing heard since
+  private has_asked_again = false; // after a sleep, with nothing heard since
   private close_now: (code: number) => void = () => undefined;
   private drawn_number = 0;
   private saw_number = 0;
@@ -225,6 +228,7 @@ export class Wire {
     socket.onmessage = (event) => {
       if (link !== this.link) return;
       this.unanswered_since_ms = null;
+      this.has_asked_again = false;
       if (typeof event.data === 'string') this.take_text(event.data);
       else if (event.data instanceof ArrayBuffer) this.hooks.on_bytes(new Uint8Array(event.data));
     };
@@ -280,10 +284,19 @@ export class Wire {
       this.timers.push(this.means.after(TIME_EVERY_MS, later));
     };
     this.timers.push(this.means.after(TIME_EVERY_MS, later));
+    let looked_at_ms = this.means.now_ms();
     const look = (): void => {
       if (link !== this.link || this.state.is !== 'seated') return;
+      const has_slept = this.means.now_ms() - looked_at_ms > SLEPT_MS;
+      looked_at_ms = this.means.now_ms();
       // A link can be dead without anyone saying so. In a tab whose timers sleep an answer still
       // comes in by itself, so only a question that got none is a sign.
+      // And who slept has had no chance to hear one: it is asked again, once.
+      if (has_slept && !this.has_asked_again) {
+        this.has_asked_again = true;
+        this.unanswered_since_ms = null;
+        ask_time();
+      }
       const silent_ms =
         this.unanswered_since_ms === null ? 0 : this.means.now_ms() - this.unanswered_since_ms;
       if (silent_ms > SILENCE_IS_A_CUT_MS || this.socket?.readyState !== 1) {
@@ -292,7 +305,7 @@ export class Wire {
         return;
       }
       if (this.means.now_ms() - this.saw_at_ms >= SAW_EVERY_MS - 50) this.tell_saw();
-      this.timers.push(this.means.after(100, look));
+      this.timers.push(this.means.after(LOOKS_EVERY_MS, look));
       if (this.timers.length > 64) this.timers = this.timers.slice(-32);
     };
     look();

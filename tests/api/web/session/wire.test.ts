@@ -103,6 +103,11 @@ class World {
     }
     this.now = end;
   }
+  /** A tab that is frozen: time goes by, and then all timers that were due run before aught else. */
+  async sleep(ms: number): Promise<void> {
+    this.now += ms;
+    await this.pass(0);
+  }
   get socket(): FakeSocket {
     return this.sockets[this.sockets.length - 1]!;
   }
@@ -304,6 +309,51 @@ test('ALinkThatAnswersIsNoCut', async () => {
   }
   assert.equal(world.state.is, 'seated');
   assert.equal(world.sockets.length, 1);
+});
+
+test('ATabThatSleptAMinuteKeepsItsLinkAndSendsNothingForThePast', async () => {
+  const world = new World();
+  world.wire.join('live', 't', 'Ann');
+  await world.sit();
+  for (let i = 0; i < 30; i += 1) {
+    await world.pass(100);
+    if (i < 29) world.socket.says({ is: 'clock', at: world.now, clock: world.now });
+    world.wire.drawn(i);
+  }
+  await world.pass(1_900); // a question is on its way that nobody can hear the answer of
+  const before = world.socket.sent.length;
+  await world.sleep(60_000);
+  assert.equal(world.state.is, 'seated', 'it has not listened yet');
+  world.socket.says({ is: 'clock', at: world.now - 60_000, clock: world.now - 60_000 });
+  world.socket.says({ is: 'clock', at: world.now, clock: world.now });
+  await world.pass(1_000);
+  assert.equal(world.state.is, 'seated');
+  assert.equal(world.sockets.length, 1);
+  const sent = world.socket.sent.slice(before).map((it) => it.do);
+  assert.ok(sent.length <= 6, `not what a minute would have been: ${sent.join()}`);
+  assert.ok(sent.every((it) => it === 'time' || it === 'saw'));
+});
+
+test('ALinkThatDiedWhileTheTabSleptIsACutSixSecondsAfter', async () => {
+  const world = new World();
+  world.wire.join('live', 't', 'Ann');
+  await world.sit();
+  await world.pass(3_000);
+  await world.sleep(60_000);
+  await world.pass(5_000);
+  assert.equal(world.state.is, 'seated');
+  await world.pass(1_500);
+  assert.equal(world.state.is, 'cut');
+});
+
+test('AHiddenTabThatIsWokenOnceAMinuteFindsADeadLinkTheSecondTime', async () => {
+  const world = new World();
+  world.wire.join('live', 't', 'Ann');
+  await world.sit();
+  await world.sleep(60_000);
+  assert.equal(world.state.is, 'seated');
+  await world.sleep(60_000);
+  assert.equal(world.state.is, 'cut');
 });
 
 test('NonsenseFromTheServerIsLeftOut', async () => {
