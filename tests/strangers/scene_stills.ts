@@ -8,6 +8,8 @@ import { use_palette } from 'page/look/palette';
 import { empty_session, show_frame, tell } from 'page/session/state';
 import { Tracks } from 'page/view/tracks';
 import { pose_with } from './pose_for_tests';
+import { read_surface_mesh } from 'page/session/surface_mesh';
+import { made_up_pile } from './made_up_surface';
 import { made_up_sea } from './made_up_waves';
 
 interface Choice {
@@ -24,6 +26,33 @@ const choice = (window as unknown as { choice: Choice }).choice;
 use_palette(choice.palette);
 
 const session = empty_session();
+const side = Math.SQRT1_2;
+const mounts = [
+  { at: [0.3, 0.3, 0.05], axis: [side, -side, 0] },
+  { at: [0.3, -0.3, 0.05], axis: [side, side, 0] },
+  { at: [-0.3, 0.3, 0.05], axis: [side, side, 0] },
+  { at: [-0.3, -0.3, 0.05], axis: [side, -side, 0] },
+  { at: [0.15, 0.25, 0], axis: [0, 0, -1] },
+  { at: [-0.15, -0.25, 0], axis: [0, 0, -1] },
+];
+const bed_up_m = (east_m: number, north_m: number): number =>
+  -30 + 1.2 * Math.sin(east_m / 45) * Math.cos(north_m / 60) + 0.5 * Math.sin(north_m / 21);
+const [ACROSS, STEP_M] = [41, 20];
+const bed = {
+  east_m: -400,
+  north_m: -400,
+  step_m: STEP_M,
+  across: ACROSS,
+  up_m: Array.from({ length: ACROSS * ACROSS }, (_, i) =>
+    bed_up_m(STEP_M * (i % ACROSS) - 400, STEP_M * Math.floor(i / ACROSS) - 400),
+  ),
+};
+const [AROUND, DOWN] = [48, 60]; // patches of the pile that is inspected
+// What has been looked at: the side that the vehicle is on, from the surface to below it.
+const covered = Array.from({ length: AROUND * DOWN }, (_, i) => i).filter((i) => {
+  const [column, row] = [i % AROUND, Math.floor(i / AROUND)];
+  return column > 2 && column < 16 && row < 19 + 3 * Math.sin(column);
+});
 const apart_m = choice.is_table ? 300 : 900;
 const nine = Array.from({ length: 9 }, (_, i) => [apart_m * (i % 3), apart_m * Math.floor(i / 3)]);
 const along_line = Array.from({ length: 17 }, (_, i) => i / 16);
@@ -49,7 +78,7 @@ tell(session, {
     top_m: 15,
   })),
   vehicles: [
-    { vehicle: 0, name: 'rov', kind: 'rov', length_m: 1, width_m: 0.8 },
+    { vehicle: 0, name: 'rov', kind: 'rov', length_m: 1, width_m: 0.8, mounts },
     { vehicle: 1, name: 'usv', kind: 'usv', length_m: 5, width_m: 2.4 },
     { vehicle: 2, name: 'uav', kind: 'uav', length_m: 0.8, width_m: 0.8 },
   ],
@@ -75,6 +104,45 @@ tell(session, {
       ]),
     },
   ],
+  bed,
+  cables: [
+    { id: 'array 1-2', route: [0, 90, 450, 900].map((east_m) => [east_m, 4, -30]), burial_m: 1.5 },
+    {
+      id: 'array 1-4',
+      route: [0, 90, 450, 900].map((north_m) => [-4, north_m, -30]),
+      burial_m: null,
+    },
+  ],
+  thrusts: [{ vehicle: 0, share: [0.7, 0.5, 0.6, 0.4, 0.5, 0.3] }],
+  surfaces: [
+    {
+      vehicle: 0,
+      surface: 0,
+      name: 'pile 1',
+      kind: 'monopile',
+      patches: AROUND * DOWN,
+      seen: covered.length / (AROUND * DOWN),
+      asked: 0.9,
+    },
+  ],
+  covered: [
+    {
+      vehicle: 0,
+      surface: 0,
+      seen: covered.length / (AROUND * DOWN),
+      runs: covered.map((i) => [i, 1]),
+    },
+  ],
+  findings: [
+    {
+      vehicle: 0,
+      findings: [
+        { kind: 'marine_growth', at: [2.9, -2, -8.2], size_m: 0.4, by: 'rov_camera' },
+        { kind: 'crack', at: [3.45, -0.6, -11], size_m: 0.09, by: 'rov_camera' },
+      ],
+    },
+  ],
+  pictures: [{ vehicle: 0, sensor: 'rov_camera', number: 1, at: 0, wide: 320, high: 180 }],
   weather: {
     sun: choice.sun,
     wind_m_s: 8,
@@ -133,6 +201,10 @@ const view = new SceneView(
   document.querySelector('canvas') as HTMLCanvasElement,
   document.querySelector('.scene-labels') as HTMLElement,
 );
+const mesh = read_surface_mesh(
+  made_up_pile(0, 0, AROUND, DOWN, { radius_m: 3.5, top_m: 0, bottom_m: -30 }),
+);
+view.site.inspected.take([...session.surfaces.values()][0]!, mesh!);
 view.eye.turn(...choice.turn);
 view.eye.closer(choice.closer);
 view.slice_up_m = choice.slice_up_m;
