@@ -1,6 +1,6 @@
 // Surfaces that are inspected, with their coverage painted on: what is seen as well as the plan
-// asks, and what not yet. Paint, not light: it looks the same by night. From afar a surface is one
-// box between the two tones.
+// asks, and what not yet. It is paint, not light: the same by night, and murky water hides less of
+// it. From afar a surface is one box between the two tones.
 import {
   BoxGeometry,
   BufferAttribute,
@@ -10,6 +10,7 @@ import {
   Group,
   Mesh,
   MeshBasicMaterial,
+  ShaderChunk,
   Sphere,
   Vector3,
   type Scene,
@@ -22,6 +23,7 @@ import { is_small, type Lens } from './detail';
 import { Instances } from './instances';
 
 const OVER_M = 0.03; // over what it is painted on
+const HIDDEN = 0.25; // so much of the way to it haze and water hide: it tells something
 /** Of a facet that looks away: so much of its tone. Shape is seen, tones are not mixed up. */
 export const LEAST_SHADE = 0.8;
 
@@ -39,6 +41,7 @@ interface Drawn {
 }
 
 interface Facet {
+  nth: [number, number, number]; // its corners
   corners: [Vector3, Vector3, Vector3];
   normal: Vector3;
   patch: number;
@@ -57,7 +60,7 @@ function facets_of(mesh: SurfaceMesh): Facet[] {
     const corners: Facet['corners'] = [corner(a), corner(b), corner(c)];
     const normal = corners[1].clone().sub(corners[0]).cross(corners[2].clone().sub(corners[0]));
     if (patch < 0 || normal.length() < 1e-12) return;
-    facets.push({ corners, normal: normal.normalize(), patch });
+    facets.push({ nth: [a, b, c], corners, normal: normal.normalize(), patch });
     middle.add(corners[0]);
   });
   middle.divideScalar(Math.max(1, facets.length));
@@ -83,12 +86,17 @@ function first_of(facets: readonly Facet[], patches: number): Uint32Array {
 function drawn_of({ name, patches }: Surface, mesh: SurfaceMesh): Drawn {
   const facets = facets_of(mesh);
   const places = new Float32Array(9 * facets.length);
-  facets.forEach(({ corners, normal }, nth) =>
+  // A corner goes out for all of its facets alike, or there were gaps between these.
+  const out = new Map<number, Vector3>();
+  for (const { nth, normal } of facets)
+    for (const corner of nth) out.set(corner, (out.get(corner) ?? new Vector3()).add(normal));
+  for (const way of out.values()) way.setLength(OVER_M);
+  facets.forEach(({ nth, corners }, facet) =>
     corners.forEach((corner, i) => {
       corner
         .clone()
-        .addScaledVector(normal, OVER_M)
-        .toArray(places, 9 * nth + 3 * i);
+        .add(out.get(nth[i]!)!)
+        .toArray(places, 9 * facet + 3 * i);
     }),
   );
   const geometry = new BufferGeometry();
@@ -104,6 +112,10 @@ function drawn_of({ name, patches }: Surface, mesh: SurfaceMesh): Drawn {
     polygonOffsetFactor: -2,
     polygonOffsetUnits: -4,
   });
+  paint.onBeforeCompile = (shader) => {
+    const through = ShaderChunk.fog_fragment.replace('vFogDepth', `${HIDDEN} * vFogDepth`);
+    shader.fragmentShader = shader.fragmentShader.replace('#include <fog_fragment>', through);
+  };
   return {
     mesh: new Mesh(geometry, paint),
     first: first_of(facets, patches),

@@ -19,6 +19,7 @@ function bed_words({ bed }: Session): string[] {
   if (bed === null) return [];
   const known = bed.up_m.filter((it) => it !== null);
   const [deepest, highest] = [Math.min(...known), Math.max(...known)].map(level_text);
+  const levels = deepest === highest ? deepest : `${deepest} to ${highest}`;
   const across = metres_text((bed.across - 1) * bed.step_m);
   const holes = holes_in(bed);
   const unknown =
@@ -26,7 +27,7 @@ function bed_words({ bed }: Session): string[] {
       ? ''
       : ` At ${holes} of ${bed.up_m.length} places nobody knows it; it has holes there.`;
   const about = `over ${across} by ${across}, a height each ${metres_text(bed.step_m)}`;
-  return [`The bed, ${about}: ${deepest} to ${highest}; level beyond.${unknown}`];
+  return [`The bed, ${about}: ${levels}; level beyond.${unknown}`];
 }
 
 function laid_words({ cables, moorings }: Session): string[] {
