@@ -41,7 +41,6 @@ interface Drawn {
 }
 
 interface Facet {
-  nth: [number, number, number]; // its corners
   corners: [Vector3, Vector3, Vector3];
   normal: Vector3;
   patch: number;
@@ -60,7 +59,7 @@ function facets_of(mesh: SurfaceMesh): Facet[] {
     const corners: Facet['corners'] = [corner(a), corner(b), corner(c)];
     const normal = corners[1].clone().sub(corners[0]).cross(corners[2].clone().sub(corners[0]));
     if (patch < 0 || normal.length() < 1e-12) return;
-    facets.push({ nth: [a, b, c], corners, normal: normal.normalize(), patch });
+    facets.push({ corners, normal: normal.normalize(), patch });
     middle.add(corners[0]);
   });
   middle.divideScalar(Math.max(1, facets.length));
@@ -86,17 +85,23 @@ function first_of(facets: readonly Facet[], patches: number): Uint32Array {
 function drawn_of({ name, patches }: Surface, mesh: SurfaceMesh): Drawn {
   const facets = facets_of(mesh);
   const places = new Float32Array(9 * facets.length);
-  // A corner goes out for all of its facets alike, or there were gaps between these.
-  const out = new Map<number, Vector3>();
-  for (const { nth, normal } of facets)
-    for (const corner of nth) out.set(corner, (out.get(corner) ?? new Vector3()).add(normal));
+  // A place goes out for all of its facets alike, or there were gaps between these.
+  const out = new Map<string, Vector3>();
+  const key_of = (at: Vector3): string =>
+    at
+      .toArray()
+      .map((it) => it.toFixed(3))
+      .join(' ');
+  for (const { corners, normal } of facets)
+    for (const key of corners.map(key_of))
+      out.set(key, (out.get(key) ?? new Vector3()).add(normal));
   for (const way of out.values()) way.setLength(OVER_M);
-  facets.forEach(({ nth, corners }, facet) =>
+  facets.forEach(({ corners }, nth) =>
     corners.forEach((corner, i) => {
       corner
         .clone()
-        .add(out.get(nth[i]!)!)
-        .toArray(places, 9 * facet + 3 * i);
+        .add(out.get(key_of(corner))!)
+        .toArray(places, 9 * nth + 3 * i);
     }),
   );
   const geometry = new BufferGeometry();

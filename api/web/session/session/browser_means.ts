@@ -25,6 +25,7 @@ async function had(
   session_id: string,
   token: string,
   path: readonly (string | number)[],
+  within_ms: number,
 ): Promise<Response | null> {
   const parts = ['', 'sessions', session_id, ...path].map((it) => encodeURIComponent(it));
   try {
@@ -32,7 +33,7 @@ async function had(
       headers: { Authorization: `Bearer ${token}` },
       cache: 'no-store',
       credentials: 'omit',
-      signal: AbortSignal.timeout(4000),
+      signal: AbortSignal.timeout(within_ms),
     });
     return answer.ok ? answer : null;
   } catch {
@@ -46,7 +47,7 @@ async function picture(
   vehicle: number,
   sensor: string,
 ): Promise<Blob | null> {
-  const answer = await had(session_id, token, ['pictures', vehicle, sensor]);
+  const answer = await had(session_id, token, ['pictures', vehicle, sensor], 4000);
   return answer === null ? null : answer.blob().catch(() => null);
 }
 
@@ -56,7 +57,8 @@ async function surface(
   vehicle: number,
   surface: string,
 ): Promise<unknown> {
-  const answer = await had(session_id, token, ['surfaces', vehicle, surface]);
+  // Megabytes, once.
+  const answer = await had(session_id, token, ['surfaces', vehicle, surface], 60_000);
   return answer === null ? null : answer.json().catch(() => null);
 }
 
