@@ -123,6 +123,7 @@ function drawn(pictures: number): Asked {
   const took_ms: number[] = [];
   for (let i = 0; i < pictures; i += 1) {
     number += 1;
+    for (const pose of poses) pose.east_m += 0.05; // all go on
     show_frame(session, { ...frame, number, time_s: 0.05 * number, poses });
     // What changes changes each time: coverage and thrust are told again.
     tell(session, { is: 'covered', vehicle: 0, surface: number % 2, seen: 0.5, runs: [[5000, 1]] });

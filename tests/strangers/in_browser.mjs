@@ -5,7 +5,7 @@ import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 
 const [modules, script] = process.argv.slice(2);
-const minutes = Number(process.env.SLACKWATER_SCENE_MINUTES ?? 6);
+const minutes = Number(process.env.SLACKWATER_SCENE_MINUTES ?? 30);
 const LIMIT_MS = 120000 + 6000 * minutes; // generous: the machine of a test is busy with something else, too
 const require = createRequire(join(resolve(modules), "/"));
 const browser = await require("puppeteer-core").launch({

@@ -17,6 +17,8 @@ export class Instances {
   readonly part = new Object3D();
   private drawn: InstancedMesh;
   private many = 0;
+  private before = 0; // as many were there
+  private has_moved = false;
 
   constructor(
     private readonly scene: Scene | Object3D,
@@ -34,6 +36,7 @@ export class Instances {
   }
 
   begin(): void {
+    this.before = this.many;
     this.many = 0;
   }
 
@@ -41,8 +44,17 @@ export class Instances {
   add(colour: Color | null = null): void {
     if (this.many === this.drawn.instanceMatrix.count) this.grow();
     this.part.updateMatrix();
-    this.drawn.setMatrixAt(this.many, this.part.matrix);
-    if (colour !== null) this.drawn.setColorAt(this.many, colour);
+    const { elements } = this.part.matrix;
+    const at = this.drawn.instanceMatrix.array;
+    const from = 16 * this.many;
+    // Only what has moved goes to the graphics card anew.
+    for (let i = 0; i < 16; i += 1) {
+      const is = Math.fround(elements[i]!);
+      if (at[from + i] === is) continue;
+      at[from + i] = is;
+      this.has_moved = true;
+    }
+    if (colour !== null) this.paint(colour);
     this.many += 1;
   }
 
@@ -50,14 +62,25 @@ export class Instances {
     const { drawn } = this;
     drawn.count = this.many;
     drawn.visible = this.many > 0;
-    drawn.instanceMatrix.needsUpdate = true;
-    if (drawn.instanceColor !== null) drawn.instanceColor.needsUpdate = true;
+    if (this.has_moved || this.many > this.before) drawn.instanceMatrix.needsUpdate = true;
+    this.has_moved = false;
   }
 
   dispose(): void {
     this.scene.remove(this.drawn);
     this.drawn.geometry.dispose();
     this.drawn.dispose();
+  }
+
+  private paint(colour: Color): void {
+    const at = this.drawn.instanceColor?.array;
+    const from = 3 * this.many;
+    const is_same = [colour.r, colour.g, colour.b].every(
+      (part, i) => at?.[from + i] === Math.fround(part),
+    );
+    if (is_same) return;
+    this.drawn.setColorAt(this.many, colour);
+    this.drawn.instanceColor!.needsUpdate = true;
   }
 
   private of(geometry: BufferGeometry, material: Material, most: number): InstancedMesh {
@@ -80,6 +103,7 @@ export class Instances {
     this.scene.remove(before);
     before.dispose();
     this.scene.add(after);
+    this.has_moved = true;
     this.drawn = after;
   }
 }
