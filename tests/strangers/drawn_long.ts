@@ -1,5 +1,5 @@
-// In a browser: a long session, as fast as it goes, through the page's own modules: frames at 20 Hz,
-// weather, traffic that comes and goes, a way under edit, notes, actions, coverage; now and then
+// In a browser: a long session, as fast as it goes, through the page's own modules: frames at 20
+// Hz, weather, traffic that comes and goes, a way under edit, notes, actions, coverage; now and then
 // drawn, from near and afar. After a third of it and at its end the page holds the same, but for
 // the tracks, which are kept for half an hour. `window.minutes` is how long it is.
 import { SceneView } from 'page/scene/scene_view';
@@ -196,9 +196,16 @@ async function run(): Promise<void> {
   ];
   const took_s = ((performance.now() - began_ms) / 1000).toFixed(0);
   const said = (it: Held): string =>
-    `${(it.heap_kb / 1024).toFixed(1)} MB, ${it.geometries} geometries, ${it.textures} textures, ${it.nodes} elements`;
+    [
+      `${(it.heap_kb / 1024).toFixed(1)} MB, ${it.geometries} geometries`,
+      `${it.textures} textures, ${it.nodes} elements`,
+    ].join(', ');
   document.title = JSON.stringify({
-    said: `${minutes} min of a session in ${took_s} s; after a third ${said(before)}; at its end ${said(after)}`,
+    said: [
+      `${minutes} min of a session in ${took_s} s`,
+      `after a third ${said(before)}`,
+      `at its end ${said(after)}`,
+    ].join('; '),
     fault: faults.filter((it) => it !== '').join('; '),
   });
 }
