@@ -445,7 +445,9 @@ const steps = {
   },
 
   async "a place of a way is put into the scene and lifted without a key"() {
-    await sue.page.bringToFront();
+    await sue.takeKeys();
+    await sue.page.keyboard.press("h"); // whoever has the helm
+    await sue.reads(".helm-state", /^You drive/);
     await sue.press("Edit the way");
     await sue.press("Place");
     const since_ms = await sue.now();
@@ -463,6 +465,7 @@ const steps = {
     assert((await sue.said("waypoints", since_ms)).every((it) => it.is_trial), "nothing is sent but trials");
     await sue.press("Delete");
     await sue.press("Drop the changes");
+    await sue.giveBack();
     return `${placed.east_m} E, ${placed.north_m} N, ${-placed.up_m} then ${-lifted.up_m} m deep`;
   },
 

@@ -85,6 +85,7 @@ void Session::begin(const api::RunInHand& hand) {
         {"bed", bed_json(hand)},
         {"cables", cables_json(hand)},
         {"moorings", moorings_json(hand.water.lines)}};
+    begin_inspections();
   }
   hand.run.at_barrier(
       [this, &control = hand.control](const twin::StepTime&) { look_at_run(control); });

@@ -108,6 +108,7 @@ class Session final : public api::http::WebSocketHandler {
   void tell_gathering();
   [[nodiscard]] nlohmann::json pictures_json() const;
   void mind_farm();
+  void begin_inspections();
   void mind_inspections();
   [[nodiscard]] nlohmann::json weather_now() const;
   [[nodiscard]] ShownHelm shown(std::size_t vehicle) const;

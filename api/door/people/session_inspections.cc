@@ -19,7 +19,18 @@ std::optional<std::size_t> number_in(const std::string& text) {
   return number;
 }
 
+ToldInspection told_of(const InspectedNow& now) {
+  return {now.surfaces_json(), now.covered_json(), now.findings_json()};
+}
+
 }  // namespace
+
+/// What is inspected is known before anybody has looked. With the lock held.
+void Session::begin_inspections() {
+  const auto& agents = desk_->agents();
+  for (std::size_t i = 0; i < agents.size(); ++i)
+    if (agents[i]->inspection) inspections_[i] = told_of(InspectedNow(i, agents[i]->inspection));
+}
 
 void Session::mind_inspections() {
   struct New {
@@ -42,7 +53,7 @@ void Session::mind_inspections() {
     auto& now = inspected_[one.vehicle];
     if (!now) now = std::make_unique<InspectedNow>(one.vehicle, one.inspection);
     const std::vector<json> news = now->take(*one.looks);
-    ToldInspection told{now->surfaces_json(), now->covered_json(), now->findings_json()};
+    ToldInspection told = told_of(*now);
     const std::lock_guard lock(mutex_);
     inspections_[one.vehicle] = std::move(told);
     for (const json& message : news) tell_all(message);

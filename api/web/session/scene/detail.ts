@@ -1,17 +1,18 @@
 // How large something is in the picture. What is small there is drawn as one plain mark.
-import type { PerspectiveCamera, Vector3 } from 'three';
+import type { Vector3 } from 'three';
 
 export const SMALL_PX = 8;
 
 export interface Lens {
-  camera: PerspectiveCamera;
+  eye: Vector3;
+  field_deg: number; // of view, from below to above
   high_px: number; // of the picture
 }
 
 /** How high a thing of that size would be if one looked at it. */
-export function seen_px({ camera, high_px }: Lens, at: Vector3, size_m: number): number {
-  const away_m = Math.max(1e-3, at.distanceTo(camera.position));
-  const field = 2 * Math.tan((camera.fov * Math.PI) / 360);
+export function seen_px({ eye, field_deg, high_px }: Lens, at: Vector3, size_m: number): number {
+  const away_m = Math.max(1e-3, at.distanceTo(eye));
+  const field = 2 * Math.tan((field_deg * Math.PI) / 360);
   return (size_m / away_m / field) * high_px;
 }
 

@@ -26,7 +26,7 @@ export class Foundations {
       const { top_m, bottom_m, radius_m } = structure;
       const high_m = Math.max(0.1, top_m - bottom_m);
       // Its place nearest to the height of the eye: one may be close to the foot of a high one.
-      const up_m = Math.min(top_m, Math.max(bottom_m, lens.camera.position.y));
+      const up_m = Math.min(top_m, Math.max(bottom_m, lens.eye.y));
       const is_round = seen_px(lens, at_place({ ...structure, up_m }), 2 * radius_m) > ROUND_PX;
       const of = is_round ? this.near : this.far;
       of.part.position.copy(at_place({ ...structure, up_m: bottom_m + high_m / 2 }));

@@ -57,12 +57,12 @@ export class LaidView {
     this.anchors.end();
   }
 
-  show(session: Session, bed: BedView, { camera }: Lens, paint: Colours): void {
+  show(session: Session, bed: BedView, { eye }: Lens, paint: Colours): void {
     const { cables, moorings } = session;
     const is_new = this.of?.cables !== cables || this.of.moorings !== moorings;
     if (is_new || this.of?.bed !== session.bed) this.lay(session, bed);
-    this.cables.show(camera.position, paint.ink);
-    this.moorings.show(camera.position, paint.quiet);
+    this.cables.show(eye, paint.ink);
+    this.moorings.show(eye, paint.quiet);
     this.anchor_paint.color.set(paint.quiet);
     this.anchors.mesh.visible = moorings.length > 0;
   }

@@ -57,6 +57,7 @@ export interface Visitor {
 }
 
 const CURRENT_ARROW_M_PER_M_S = 4;
+const IN_HEADSET = { field_deg: 95, high_px: 2000 }; // what is usual for each eye
 const FARTHEST_M = 3000; // that something is pointed at
 const PRESSED = /^(?!sea$|sky$|slice$|turbines$).+/; // things with a name, but those all about
 
@@ -162,15 +163,18 @@ export class SceneView {
     this.chosen_before = chosen;
     this.eye.place(pose, pointing, vehicle?.length_m ?? 1);
     place_draft(this.kept, draft, this.surround.bed, colours());
-    const lens = { camera: this.eye.camera, high_px: high };
+    const { camera } = visitor ?? this.eye;
+    const from = visitor?.eye() ?? camera.position;
+    const lens =
+      visitor === null
+        ? { eye: from, field_deg: this.eye.camera.fov, high_px: high }
+        : { eye: from, ...IN_HEADSET };
     this.place_things(session, tracks, chosen, lens);
     this.place_farm(session);
     this.site.show(session, lens, this.surround.bed, this.layers);
     const is_seen = this.layers.picture && this.eye.stand !== 'on_board';
     this.site.show_picture(is_seen ? (pose ?? null) : null, session);
     this.place_flow(session, pose ?? null);
-    const { camera } = visitor ?? this.eye;
-    const from = visitor?.eye() ?? camera.position;
     this.surround.show(session, from, visitor !== null, visitor?.is_table ?? false);
     const names = names_in(session, chosen, from, this.approaches);
     names.push(...people_names(session), ...draft_names(draft));

@@ -42,7 +42,7 @@ export class SiteView {
 
   show(session: Session, lens: Lens, bed: BedView, layers: Layers): void {
     const paint = colours();
-    const { position: eye } = lens.camera;
+    const { eye } = lens;
     this.foundations.show(session.structures, lens);
     this.show_jets(session, eye);
     if (layers.laid) this.laid.show(session, bed, lens, paint);

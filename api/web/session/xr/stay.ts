@@ -206,7 +206,7 @@ export class Stay {
     const ahead = wearer.rig.along(thrower.ray.turned);
     const landing = landing_of(from, ahead, {
       structures: station.session.structures,
-      bed_m: this.view.surround.bed_under(wearer.rig.head_at()),
+      bed_under: (at) => this.view.surround.bed_under(at),
       is_water_open: Math.abs(wearer.rig.group.position.y) < 0.5,
     });
     if (thrower.is_pressed) {

@@ -5,7 +5,8 @@ import type { Structure } from '../session/message';
 
 export interface Ground {
   structures: readonly Structure[];
-  bed_m: number | null;
+  /** How high the bed is under a place of the scene; nothing: nobody knows. */
+  bed_under: (at: Vector3) => number | null;
   /** Who stands on the water throws through it. */
   is_water_open: boolean;
 }
@@ -19,6 +20,7 @@ const THROWN_M_S = 10;
 const FALLS_M_S2 = 9.81;
 const LONGEST_S = 6;
 const POINTS = 30;
+const LOOKS_AT_BED = 12; // slopes are gentle: each look is nearer by their share
 
 export function at_time(from: Vector3, ahead: Vector3, t_s: number): Vector3 {
   const at = from.clone().addScaledVector(ahead, THROWN_M_S * t_s);
@@ -47,6 +49,24 @@ function time_at_wall(from: Vector3, ahead: Vector3, pile: Structure): number | 
   return y > pile.bottom_m && y < pile.top_m ? t_s : null;
 }
 
+/** When it comes down on the bed, as high as that is where it does so. */
+function time_at_bed(
+  from: Vector3,
+  ahead: Vector3,
+  bed_under: Ground['bed_under'],
+): number | undefined {
+  let at = from;
+  let t_s: number | undefined;
+  for (let i = 0; i < LOOKS_AT_BED; i += 1) {
+    const bed_m = bed_under(at);
+    if (bed_m === null) return undefined;
+    t_s = times_at(from, ahead, bed_m)[1];
+    if (t_s === undefined) return undefined;
+    at = at_time(from, ahead, t_s);
+  }
+  return t_s;
+}
+
 /** Nothing: it comes down nowhere in time, or against a wall. `ahead` is a unit vector. */
 export function landing_of(from: Vector3, ahead: Vector3, ground: Ground): Landing | null {
   if (!Number.isFinite(from.length() + ahead.length())) return null;
@@ -64,7 +84,7 @@ export function landing_of(from: Vector3, ahead: Vector3, ground: Ground): Landi
     if (Math.hypot(at.x - pile.east_m, at.z + pile.north_m) <= pile.radius_m)
       consider('deck', down_s);
   }
-  if (ground.bed_m !== null) consider('bed', times_at(from, ahead, ground.bed_m)[1]);
+  consider('bed', time_at_bed(from, ahead, ground.bed_under));
   const [rising_s, falling_s] = times_at(from, ahead, 0);
   if (from.y < 0) consider('water', rising_s);
   else if (!ground.is_water_open) consider('water', falling_s);

@@ -81,6 +81,7 @@ TEST(InspectedSession, TellsWhatTheRunHasCoveredAndFound) {
   SessionUnderWay run(film, std::move(choice));
   StationClient sue(run, run.token(Role::supervises));
   const json welcome = sue.hello("Sue");
+  EXPECT_EQ(welcome.at("surfaces").size(), 1U) << "known before anybody has looked";
   Told told;
   for (const json& is : welcome.at("covered")) told.take(is);
   ASSERT_FALSE(sue.told("covered", [](const json& is) { return is["seen"] > 0.02; }).is_null());

@@ -164,7 +164,7 @@ test('the wind is at hub height before the nearest turbines, else over the origi
 
 test('what is half as far away is seen twice as large', () => {
   const camera = new PerspectiveCamera(55, 1, 0.1, 1000);
-  const lens = { camera, high_px: 1000 };
+  const lens = { eye: new Vector3(), field_deg: 55, high_px: 1000 };
   const at = (away_m: number): number => seen_px(lens, new Vector3(0, 0, -away_m), 2);
   assert.ok(Math.abs(at(10) / at(20) - 2) < 1e-9);
   // As the projection has it.
@@ -180,10 +180,10 @@ test('foundations are round from near and have few faces from afar', () => {
   const structures = [0, 3000].map((east_m) => ({ name: '', east_m, north_m: 0, ...size }));
   const shown = (): number[] => scene.children.map((it) => (it as InstancedMesh).count);
   camera.position.set(20, -10, 0);
-  view.show(structures, { camera, high_px: 400 });
+  view.show(structures, { eye: camera.position, field_deg: camera.fov, high_px: 400 });
   assert.deepEqual(shown(), [1, 1]);
   camera.position.set(1500, 900, 0);
-  view.show(structures, { camera, high_px: 400 });
+  view.show(structures, { eye: camera.position, field_deg: camera.fov, high_px: 400 });
   assert.deepEqual(shown(), [0, 2]);
 });
 
@@ -242,7 +242,7 @@ test('each patch has its tone, whatever the order of its triangles, and paint li
   const camera = new PerspectiveCamera(55, 1, 0.1, 1000);
   camera.position.set(0, -28, 0);
   const show = (): number[] => {
-    view.show(session.surfaces, { camera, high_px: 400 }, TONES);
+    view.show(session.surfaces, { eye: camera.position, field_deg: camera.fov, high_px: 400 }, TONES);
     const { geometry } = scene.getObjectByName('inspected')!.children[0] as Mesh;
     const [colour, place] = ['color', 'position'].map((it) => geometry.getAttribute(it));
     assert.equal(place!.count, 6, 'what is of no patch is left out');
@@ -256,11 +256,11 @@ test('each patch has its tone, whatever the order of its triangles, and paint li
   tell(session, INSPECTED); // the link was cut, and the server began again
   assert.deepEqual(show(), [1, 0]);
   camera.position.set(5000, -28, 0);
-  view.show(session.surfaces, { camera, high_px: 400 }, TONES);
+  view.show(session.surfaces, { eye: camera.position, field_deg: camera.fov, high_px: 400 }, TONES);
   const marks = scene.children.find((it) => it !== scene.getObjectByName('inspected'))!;
   assert.equal((marks as InstancedMesh).count, 1, 'far away it is a mark');
   session.surfaces.clear();
-  view.show(session.surfaces, { camera, high_px: 400 }, TONES);
+  view.show(session.surfaces, { eye: camera.position, field_deg: camera.fov, high_px: 400 }, TONES);
   assert.equal(scene.getObjectByName('inspected')!.children.length, 0);
 });
 

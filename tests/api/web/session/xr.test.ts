@@ -29,7 +29,7 @@ const near_place = (found: Vector3, x: number, y: number, z: number): void => {
 
 // Throws.
 
-const OPEN_SEA: Ground = { structures: [], bed_m: -30, is_water_open: false };
+const OPEN_SEA: Ground = { structures: [], bed_under: () => -30, is_water_open: false };
 const PILE = { name: 'pile', east_m: 0, north_m: 8, radius_m: 3, bottom_m: -30, top_m: 5 };
 const ahead_up = (up_rad: number): Vector3 => new Vector3(0, Math.sin(up_rad), -Math.cos(up_rad));
 
@@ -92,6 +92,14 @@ test('the arc that is shown begins at the hand and ends where one would land', (
   // Where all stands still, nothing lands.
   near(at_time(from, ahead, 0).distanceTo(from), 0);
   assert.equal(landing_of(from, new Vector3(Number.NaN, 0, 0), OPEN_SEA), null);
+});
+
+test('on a slope a throw comes down as high as the bed is there', () => {
+  const bed_under = (at: Vector3): number => -30 - 0.2 * at.z; // rises by one in five to the north
+  const from = new Vector3(0, -28, 0);
+  const landing = landing_of(from, ahead_up(0), { ...OPEN_SEA, bed_under });
+  assert.ok(landing !== null && landing.on === 'bed');
+  near(landing.at.y, bed_under(landing.at), 0.01);
 });
 
 // Turns and moves.
