@@ -71,6 +71,7 @@ bool keeps_in_touch(Connection& station, const StationSays& says, Milliseconds n
   if (!station.flow.saw(static_cast<std::uint32_t>(says.whole("frame", 0, 0xFFFFFFFFLL))))
     throw Error(ErrorKind::invalid_input,
                 "saw: frame: found one that was never sent, expected the last one drawn");
+  if (says.flag("is_lost", false)) station.flow.lost();
   return true;
 }
 

@@ -248,6 +248,7 @@ void Session::hello(Station& station, const StationSays& says) {
   if (station.seat != 0)
     throw Error(ErrorKind::invalid_input, "hello: found a second one; this station has its seat");
   const std::string name = says.text_or_empty("name", 100);
+  const bool is_brief = says.flag("brief", false);
   auto outcome = seats_.take(station.token, name, settings_.now());
   if (const auto* none = std::get_if<NoSeat>(&outcome))
     return turn_out(station, CloseCode::token_ended, none->text);
@@ -260,6 +261,7 @@ void Session::hello(Station& station, const StationSays& says) {
     turn_out(other, CloseCode::taken_up_elsewhere, "this seat was taken up at another station");
   }
   station.seat = taken.seat;
+  station.flow.be_brief(is_brief);
   const Seat& seat = *seats_.find(taken.seat);
   if (desk_) {
     if (taken.is_back) desk_->helms().back(seat, clock());

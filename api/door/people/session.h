@@ -82,6 +82,8 @@ class Session final : public api::http::WebSocketHandler {
   bool tick();
   void look_at_run(const twin::RunControl& control);
   void tell_all(const nlohmann::json& json);
+  /// Those who asked to be told briefly, or those who did not.
+  void tell_those(bool is_brief, const nlohmann::json& json);
   void tell(Station& station, const nlohmann::json& json);
   void turn_out(Station& station, CloseCode code, const std::string& text);
   void cut_off(Station& station);

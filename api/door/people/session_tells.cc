@@ -25,6 +25,14 @@ void Session::tell_all(const json& json) {
   }
 }
 
+void Session::tell_those(bool is_brief, const json& json) {
+  const std::string text = text_of(json);
+  for (auto& [socket, station] : stations_) {
+    if (station.seat == 0 || station.is_turned_out || station.flow.is_brief() != is_brief) continue;
+    (void)station.socket->send({true, text, nullptr, Worth::essential});
+  }
+}
+
 ShownHelm Session::shown(std::size_t vehicle) const {
   ShownHelm shown{desk_->helms().now(vehicle), {}, {}, {}};
   if (vehicle >= now_.vehicles.size()) return shown;
@@ -131,17 +139,24 @@ void Session::tell_helms() {
 }
 
 void Session::tell_status(bool is_second) {
+  json reserves = json::array();
   for (std::size_t i = 0; i < now_.vehicles.size(); ++i) {
-    json status = status_json(i, now_.vehicles[i]);
+    const json status = status_json(i, now_.vehicles[i]);
     if (i >= status_told_.size()) status_told_.emplace_back();
-    if (!is_second && status_told_[i].is_object()) {
-      status["reserve"] = status_told_[i]["reserve"];
-      status["margin_s"] = status_told_[i]["margin_s"];
+    json& told = status_told_[i];
+    json but_reserve = status;
+    if (told.is_object())
+      for (const char* const late : {"reserve", "margin_s"}) but_reserve[late] = told[late];
+    if (but_reserve != told) {
+      told = is_second ? status : but_reserve;
+      tell_all(told);
+    } else if (is_second && status != told) {
+      told = status;
+      tell_those(false, told);
+      reserves.push_back(reserve_json(i, now_.vehicles[i]));
     }
-    if (status == status_told_[i]) continue;
-    status_told_[i] = status;
-    tell_all(status);
   }
+  if (!reserves.empty()) tell_those(true, {{"is", "reserves"}, {"reserves", reserves}});
 }
 
 void Session::tell_lines() {

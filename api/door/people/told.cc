@@ -254,4 +254,8 @@ json status_json(std::size_t vehicle, const VehicleNow& now) {
       {"camera", camera}};
 }
 
+json reserve_json(std::size_t vehicle, const VehicleNow& now) {
+  return json::array({vehicle, now.advice, rounded(now.margin_s, 1)});
+}
+
 }  // namespace slackwater::people

@@ -48,6 +48,9 @@ struct ShownHelm {
 /// Whether two statuses differ in what is told at once; the reserve waits for its second.
 [[nodiscard]] nlohmann::json status_json(std::size_t vehicle, const VehicleNow& now);
 
+/// What of a status changes each second: [vehicle, reserve, margin_s].
+[[nodiscard]] nlohmann::json reserve_json(std::size_t vehicle, const VehicleNow& now);
+
 /// Compact; bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string text_of(const nlohmann::json& json);
 

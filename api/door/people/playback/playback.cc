@@ -130,7 +130,9 @@ void Playback::heard(Viewer& viewer, const StationSays& says) {
   if (what == "hello") {
     if (viewer.has_said_hello)
       throw Error(ErrorKind::invalid_input, "hello: found a second one; this station is in");
-    return welcome(viewer, says.text_or_empty("name", 100));
+    const std::string name = says.text_or_empty("name", 100);
+    viewer.flow.be_brief(says.flag("brief", false));
+    return welcome(viewer, name);
   }
   if (!viewer.has_said_hello)
     return turn_out(viewer, {CloseCode::malformed, "found " + what + ", expected hello first"});

@@ -30,18 +30,23 @@ bool looks_the_same(const Pose& a, const Pose& b) {
 
 }  // namespace
 
-std::string encode_frame(const FrameHead& head, std::span<const Pose> poses) {
-  std::vector<session::Pose> all;
-  all.reserve(poses.size());
+std::string encode_frame(const FrameHead& head, std::span<const Pose> poses,
+                         std::span<const std::uint8_t> moved) {
+  flatbuffers::FlatBufferBuilder builder(96 + moved.size() + sizeof(session::Pose) * poses.size());
+  flatbuffers::Offset<flatbuffers::Vector<std::uint8_t>> bits;
+  if (!moved.empty()) bits = builder.CreateVector(moved.data(), moved.size());
+  session::Pose* all = nullptr;
+  const auto vector = builder.CreateUninitializedVectorOfStructs(poses.size(), &all);
   for (const Pose& p : poses)
-    all.emplace_back(p.east_m, p.north_m, p.up_m, p.roll_rad, p.pitch_rad, p.heading_rad,
-                     p.east_m_s, p.north_m_s, p.up_m_s, p.current_east_m_s, p.current_north_m_s,
-                     p.bed_m, p.charge, p.vehicle, p.is_halted, std::uint8_t{0});
-  flatbuffers::FlatBufferBuilder builder(64 + sizeof(session::Pose) * poses.size());
-  const auto vector = builder.CreateVectorOfStructs(all);
+    *all++ = {p.east_m,           p.north_m,           p.up_m,
+              p.roll_rad,         p.pitch_rad,         p.heading_rad,
+              p.east_m_s,         p.north_m_s,         p.up_m_s,
+              p.current_east_m_s, p.current_north_m_s, p.bed_m,
+              p.charge,           p.vehicle,           p.is_halted,
+              std::uint8_t{0}};
   session::FinishFrameBuffer(
       builder, session::CreateFrame(builder, head.number, head.step, head.time_s, head.clock_ms,
-                                    head.is_whole, head.left_out, vector));
+                                    head.is_whole, head.left_out, vector, bits));
   return {reinterpret_cast<const char*>(builder.GetBufferPointer()), builder.GetSize()};
 }
 
@@ -51,8 +56,25 @@ std::string FrameFlow::next(std::span<const Pose> now, FrameHead head) {
     ++untold_;
     return {};
   }
+  return is_brief_ ? next_moved(now, head) : next_changed(now, head);
+}
+
+bool FrameFlow::is_idle(std::uint64_t clock_ms) const noexcept {
+  return !is_due_ && clock_ms < sent_ms_ + least_often_ms;
+}
+
+FrameHead FrameFlow::numbered(FrameHead head) noexcept {
+  sent_ms_ = head.clock_ms;
+  is_due_ = false;
+  head.number = ++number_;
+  head.left_out = left_out_;
+  left_out_ = 0;
+  return head;
+}
+
+std::string FrameFlow::next_changed(std::span<const Pose> now, FrameHead head) {
   head.is_whole = sent_.empty();
-  std::vector<Pose> changed;
+  changed_.clear();
   for (std::size_t i = 0; i < now.size(); ++i) {
     const bool is_new = i >= sent_.size();
     if (!is_new && looks_the_same(now[i], sent_[i])) continue;
@@ -60,15 +82,17 @@ std::string FrameFlow::next(std::span<const Pose> now, FrameHead head) {
       sent_.push_back(now[i]);
     else
       sent_[i] = now[i];
-    changed.push_back(now[i]);
+    changed_.push_back(now[i]);
   }
-  if (changed.empty() && !is_due_ && head.clock_ms < sent_ms_ + least_often_ms) return {};
-  sent_ms_ = head.clock_ms;
-  is_due_ = false;
-  head.number = ++number_;
-  head.left_out = left_out_;
-  left_out_ = 0;
-  return encode_frame(head, changed);
+  if (changed_.empty() && is_idle(head.clock_ms)) return {};
+  return encode_frame(numbered(head), changed_);
+}
+
+std::string FrameFlow::next_moved(std::span<const Pose> now, FrameHead head) {
+  const bool is_news = moved_.look(now, head.time_s);
+  if (!is_news && is_idle(head.clock_ms)) return {};
+  head.is_whole = moved_.tell(now);
+  return encode_frame(numbered(head), moved_.poses(), moved_.bits());
 }
 
 bool FrameFlow::saw(std::uint32_t frame) noexcept {

@@ -106,8 +106,10 @@ json StationClient::asks(json message) {
   return told("answer", [&](const json& answer) { return answer["id"] == id; });
 }
 
-json StationClient::hello(const std::string& name) {
-  says({{"do", "hello"}, {"name", name}});
+json StationClient::hello(const std::string& name, bool is_brief) {
+  json hello{{"do", "hello"}, {"name", name}};
+  if (is_brief) hello["brief"] = true;
+  says(std::move(hello));
   json welcome = told("welcome");
   if (welcome.is_null()) return welcome;
   number_ = welcome["number"];
@@ -117,7 +119,9 @@ json StationClient::hello(const std::string& name) {
 bool StationClient::receive(std::chrono::milliseconds within) {
   const auto frame = socket_.receive(within);
   if (!frame) return false;
-  received_bytes += frame->payload.size();
+  const std::size_t length = frame->payload.size();
+  received_bytes += length;
+  wire_bytes += length + (length < 126 ? 2 : length < 65'536 ? 4 : 10);
   if (frame->opcode == 9) return socket_.send(0x8A, frame->payload);
   if (frame->opcode == 8) {
     close_code_ = frame->code();

@@ -77,8 +77,8 @@ class StationClient {
   bool says_text(const std::string& text) { return socket_.send_text(text); }
   /// Says it, and the answer to it.
   [[nodiscard]] nlohmann::json asks(nlohmann::json message);
-  /// Hello; the welcome.
-  nlohmann::json hello(const std::string& name);
+  /// Hello; the welcome. @param is_brief  asks for frames with `moved`
+  nlohmann::json hello(const std::string& name, bool is_brief = false);
   /// The first message of the kind from now on for which it is so; null: none came in time.
   [[nodiscard]] nlohmann::json told(const std::string& is,
                                     const std::function<bool(const nlohmann::json&)>& is_so = {},
@@ -99,6 +99,7 @@ class StationClient {
   std::vector<std::string> frames;
   std::vector<nlohmann::json> messages;
   std::size_t received_bytes = 0;  ///< payloads of frames and messages, all of them
+  std::size_t wire_bytes = 0;      ///< the same with the heads of RFC 6455
   bool says_saw = true;
 
  private:
