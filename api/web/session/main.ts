@@ -32,7 +32,7 @@ import { led_text, weather_panel } from './panel/weather_panel';
 import { class_of_address } from './session/class_of_address';
 import { Idle } from './session/idle';
 import { browser_means } from './session/browser_means';
-import { decode_frame } from './session/frame';
+import { FrameReader } from './session/frame_reader';
 import { guard_seat, keep_seat, seat_to_take_up } from './session/kept_seat';
 import { read_answer, type Json } from './session/message';
 import { session_of_address } from './session/session_list';
@@ -51,6 +51,7 @@ by_id('built-without').remove();
 const settings = load_settings();
 use_palette(settings.palette);
 const tracks = new Tracks();
+const frames = new FrameReader();
 let link: LinkState = { is: 'off', text: '' };
 let seat_token: string | null = null;
 let canvases_are_old = true;
@@ -61,7 +62,8 @@ const wire = new Wire(browser_means, {
   on_state: take_link,
   on_message: take_message,
   on_bytes: (bytes) => {
-    const frame = decode_frame(bytes);
+    const frame = frames.take(bytes);
+    if (frames.is_lost) wire.lost_track();
     if (frame === null) return;
     show_frame(station.session, frame);
     tracks.take(frame);
@@ -382,6 +384,7 @@ function take_message(message: Json): void {
   tell(session, message);
   switch (message.is) {
     case 'welcome':
+      frames.forget();
       if (typeof message.number === 'number') station.numbers.heard(message.number);
       station.frame_came_ms = Number.NaN;
       if (session.playback !== null) {

@@ -1,6 +1,6 @@
 // A binary frame of the server, decoded (api/door/people/wire/session.fbs).
 import { ByteBuffer } from 'flatbuffers';
-import { Frame as WireFrame } from '../generated/slackwater/session/frame';
+import { Frame as Wire } from '../generated/slackwater/session/frame';
 
 export interface Pose {
   vehicle: number;
@@ -29,16 +29,32 @@ export interface Frame {
   poses: Pose[];
 }
 
+/** As it came: with the bits of what moved (moved.ts), where it has such. */
+export interface WireFrame extends Frame {
+  moved: Uint8Array | null;
+}
+
+const POSE_BYTES = 56;
+
 function known(value: number): number | null {
   return Number.isNaN(value) ? null : value;
 }
 
 /** Nothing where the bytes are no frame of ours. */
-export function decode_frame(bytes: Uint8Array): Frame | null {
+export function decode_frame(bytes: Uint8Array): WireFrame | null {
   if (bytes.length < 8) return null;
+  try {
+    return decode(bytes);
+  } catch {
+    return null; // damaged so that it points out of itself
+  }
+}
+
+function decode(bytes: Uint8Array): WireFrame | null {
   const buffer = new ByteBuffer(bytes);
-  if (!WireFrame.bufferHasIdentifier(buffer)) return null;
-  const wire = WireFrame.getRootAsFrame(buffer);
+  if (!Wire.bufferHasIdentifier(buffer)) return null;
+  const wire = Wire.getRootAsFrame(buffer);
+  if (wire.posesLength() * POSE_BYTES > bytes.length) return null;
   const poses: Pose[] = [];
   for (let i = 0; i < wire.posesLength(); i += 1) {
     const pose = wire.poses(i);
@@ -69,5 +85,6 @@ export function decode_frame(bytes: Uint8Array): Frame | null {
     is_whole: wire.isWhole(),
     left_out: wire.leftOut(),
     poses,
+    moved: wire.movedArray(),
   };
 }

@@ -284,6 +284,15 @@ function word_of(value: unknown): string {
 export function read_statuses(value: unknown): Status[] {
   return list_of(value, read_status);
 }
+/** What of a status changes each second, of several vehicles: [vehicle, reserve, margin_s] each. */
+export function read_reserves(value: unknown): Pick<Status, 'vehicle' | 'reserve' | 'margin_s'>[] {
+  return as_list(value).flatMap((row) => {
+    const [of, reserve, margin_s] = as_list(row);
+    const vehicle = as_number(of);
+    if (vehicle === null) return [];
+    return [{ vehicle, reserve: number_or_text(reserve), margin_s: as_number(margin_s) }];
+  });
+}
 export function read_status(it: Json): Status | null {
   const vehicle = as_number(it.vehicle);
   if (vehicle === null) return null;

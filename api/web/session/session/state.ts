@@ -153,6 +153,12 @@ export function tell(session: Session, message: Json): boolean {
       if (status !== null) take_status(session, status);
       return true;
     }
+    case 'reserves':
+      for (const it of read.read_reserves(message.reserves)) {
+        const status = session.statuses.get(it.vehicle);
+        if (status !== undefined) session.statuses.set(it.vehicle, { ...status, ...it });
+      }
+      return true;
     case 'picture': {
       const picture = read.read_picture(message);
       if (picture !== null) session.pictures.set(camera_of(picture), picture);

@@ -12,6 +12,7 @@ const TRIED_AT_MOST_MS = 600_000;
 const PROTOCOL = 'slackwater.session.v1';
 const SAW_EVERY_FRAMES = 5;
 const SAW_EVERY_MS = 400;
+const LOST_EVERY_MS = 500;
 const TRY_TAKES_AT_MOST_MS = 5000;
 const TIME_EVERY_MS = 2000;
 const SILENCE_IS_A_CUT_MS = 6000;
@@ -91,6 +92,7 @@ export class Wire {
   private drawn_number = 0;
   private saw_number = 0;
   private saw_at_ms = 0;
+  private lost_at_ms = -Infinity;
   private timers: number[] = [];
 
   constructor(
@@ -170,6 +172,14 @@ export class Wire {
     if (number - this.saw_number >= SAW_EVERY_FRAMES) this.tell_saw();
   }
 
+  /** A frame could not be read: the next one shall be whole. Said until one comes. */
+  lost_track(): void {
+    const now_ms = this.means.now_ms();
+    if (now_ms - this.lost_at_ms < LOST_EVERY_MS) return;
+    if (this.send({ do: 'saw', frame: this.drawn_number, is_lost: true }) !== null)
+      this.lost_at_ms = now_ms;
+  }
+
   private tell_saw(): void {
     if (this.drawn_number === 0 || this.send({ do: 'saw', frame: this.drawn_number }) === null)
       return;
@@ -221,7 +231,9 @@ export class Wire {
     };
     socket.onopen = () => {
       this.next_id += 1;
-      socket.send(JSON.stringify({ do: 'hello', id: this.next_id - 1, name: this.name }));
+      socket.send(
+        JSON.stringify({ do: 'hello', id: this.next_id - 1, name: this.name, brief: true }),
+      );
     };
     this.close_now = closed;
     socket.onclose = (event) => closed(event.code);
@@ -263,6 +275,7 @@ export class Wire {
     this.name = as_text(message.name) || this.name;
     this.drawn_number = 0;
     this.saw_number = 0;
+    this.lost_at_ms = -Infinity;
     this.clock.forget();
     this.unanswered_since_ms = null;
     this.hooks.on_resume(

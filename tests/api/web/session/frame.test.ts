@@ -54,6 +54,7 @@ test('AFrameIsReadAsItWasWritten', () => {
       is_whole: true,
       left_out: 3,
       poses: 2,
+      moved: null,
     },
   );
   assert.deepEqual(frame.poses[0], {

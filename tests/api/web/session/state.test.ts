@@ -127,6 +127,20 @@ test('ALostHelmSaysWhenTheVehicleGoesHome', () => {
   assert.equal(words.countdown, 'The seat is kept 29 s.');
 });
 
+test('ReservesAreTakenIntoTheStatusesAndChangeNothingElse', () => {
+  const session = seated();
+  tell(session, { is: 'status', vehicle: 0, doing: 'task', reserve: 'ample', margin_s: 900 });
+  const before = session.statuses.get(0);
+  assert.equal(
+    tell(session, { is: 'reserves', reserves: [[0, 'come home', 899], [77, 'x', 1], [null], 3] }),
+    true,
+  );
+  assert.deepEqual(session.statuses.get(0), { ...before, reserve: 'come home', margin_s: 899 });
+  assert.equal(session.statuses.has(77), false);
+  tell(session, { is: 'reserves', reserves: [[0, '', null]] });
+  assert.equal(session.statuses.get(0)?.margin_s, null);
+});
+
 const pose = (vehicle: number, east_m: number): Pose => pose_with({ vehicle, east_m });
 function frame(number: number, is_whole: boolean, poses: Pose[]): Frame {
   return { number, step: number, time_s: number, clock_ms: number, is_whole, left_out: 0, poses };

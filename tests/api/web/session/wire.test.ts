@@ -135,6 +135,20 @@ test('TheTokenGoesIntoTheSubProtocolAndHelloComesFirst', async () => {
   assert.equal(world.wire.send({ do: 'stick' }), null); // not before the welcome
 });
 
+test('WhoLostTrackOfTheFramesSaysSoNowAndThenUntilOneIsWhole', async () => {
+  const world = new World();
+  world.wire.join('live', 'token', 'Ann');
+  await world.sit();
+  assert.equal(world.socket.sent[0]?.brief, true, 'it asks for such frames');
+  for (let i = 0; i < 30; i += 1) {
+    world.wire.lost_track(); // at each frame that cannot be read
+    await world.pass(50);
+  }
+  const lost = of(world.socket, 'saw').filter((it) => it.is_lost === true);
+  assert.equal(lost.length, 3, 'in 1.5 s');
+  assert.equal(lost[0]?.frame, 0, 'though nothing was drawn yet');
+});
+
 test('ARefusalIsReadBeforeAnySocketIsOpened', async () => {
   const world = new World();
   world.answer = { is: 'refused', text: 'The token has ended.' };
