@@ -18,7 +18,7 @@ using nlohmann::json;
 
 constexpr std::string_view bearer = "bearer.";
 constexpr Milliseconds stick_pause_ms = 1'000;
-constexpr Milliseconds lines_every_ms = 200;
+constexpr Milliseconds lines_every_ms = 200, brief_thrusts_every_ms = 500;
 /// A station that holds a helm and says nothing for so long is taken to be lost: pages say
 /// something each two seconds.
 constexpr Milliseconds unheard_ms = 5'000;
@@ -413,6 +413,10 @@ bool Session::tick() {
     tell_lines();
     tell_thrusts();
     tell_gathering();
+  }
+  if (now >= thrusts_at_ + brief_thrusts_every_ms) {
+    thrusts_at_ = now;
+    tell_thrusts_briefly();
   }
   tell_run();
   if (is_second) tell_around();

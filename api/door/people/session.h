@@ -107,6 +107,7 @@ class Session final : public api::http::WebSocketHandler {
   void tell_around();
   void tell_lines();
   void tell_thrusts();
+  void tell_thrusts_briefly();
   void tell_gathering();
   [[nodiscard]] nlohmann::json pictures_json() const;
   void mind_farm();
@@ -129,7 +130,7 @@ class Session final : public api::http::WebSocketHandler {
   RunNow now_;
   nlohmann::json run_facts_;  ///< that never change: of the welcome
   std::vector<ShownHelm> helms_told_;
-  std::vector<nlohmann::json> status_told_, lines_told_, thrusts_told_;
+  std::vector<nlohmann::json> status_told_, lines_told_, thrusts_told_, thrust_rows_told_;
   nlohmann::json seats_told_, run_told_, weather_told_, traffic_told_;
   Gathering gathering_;
   nlohmann::json looks_told_ = nlohmann::json::array(), notes_told_ = nlohmann::json::array();
@@ -142,7 +143,7 @@ class Session final : public api::http::WebSocketHandler {
   PicturesNow pictures_;
   bool is_over_ = false;
   Milliseconds barrier_at_ = 0, barrier_after_ = 0;  ///< the last one, and how long after another
-  Milliseconds second_at_ = 0, lines_at_ = 0;
+  Milliseconds second_at_ = 0, lines_at_ = 0, thrusts_at_ = 0;
 
   std::mutex look_mutex_;  ///< of what the run leaves
   std::optional<RunNow> left_;

@@ -175,8 +175,20 @@ void Session::tell_thrusts() {
     json thrust = thrust_json(i, now_.vehicles[i]);
     if (thrust == thrusts_told_[i]) continue;
     thrusts_told_[i] = thrust;
-    tell_all(thrust);
+    tell_those(false, thrust);
   }
+}
+
+void Session::tell_thrusts_briefly() {
+  thrust_rows_told_.resize(now_.vehicles.size());
+  json rows = json::array();
+  for (std::size_t i = 0; i < now_.vehicles.size(); ++i) {
+    json row = thrust_row_json(i, now_.vehicles[i]);
+    if (row == thrust_rows_told_[i]) continue;
+    rows.push_back(row);
+    thrust_rows_told_[i] = std::move(row);
+  }
+  if (!rows.empty()) tell_those(true, {{"is", "thrusts"}, {"thrusts", rows}});
 }
 
 void Session::tell_gathering() {

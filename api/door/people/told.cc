@@ -150,6 +150,12 @@ json thrust_json(std::size_t vehicle, const VehicleNow& now) {
   return {{"is", "thrust"}, {"vehicle", vehicle}, {"share", shares}};
 }
 
+json thrust_row_json(std::size_t vehicle, const VehicleNow& now) {
+  json row = json::array({vehicle});
+  for (const double share : now.thrust) row.push_back(2 * std::lround(50 * share));
+  return row;
+}
+
 json line_json(std::size_t vehicle, const VehicleNow& now) {
   json nodes = json::array();
   for (const twin::Triple<double>& at_m : now.line_m)

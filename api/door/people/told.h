@@ -29,6 +29,8 @@ using api::action_json;
 [[nodiscard]] nlohmann::json line_json(std::size_t vehicle, const VehicleNow& now);
 /// What its thrusters do.
 [[nodiscard]] nlohmann::json thrust_json(std::size_t vehicle, const VehicleNow& now);
+/// The same in brief: [vehicle, share, ...], shares in hundredths.
+[[nodiscard]] nlohmann::json thrust_row_json(std::size_t vehicle, const VehicleNow& now);
 [[nodiscard]] nlohmann::json traffic_json(const Surroundings& around);
 /// @param led_by  who leads it; empty: nobody
 [[nodiscard]] nlohmann::json weather_json(const Surroundings& around, double time_s,

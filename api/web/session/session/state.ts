@@ -159,6 +159,12 @@ export function tell(session: Session, message: Json): boolean {
         if (status !== undefined) session.statuses.set(it.vehicle, { ...status, ...it });
       }
       return true;
+    case 'thrusts': // each as if it was told alone
+      for (const row of read.as_list(message.thrusts).map(read.as_list)) {
+        const share = row.slice(1).map((it) => (read.as_number(it) ?? 0) / 100);
+        tell(session, { is: 'thrust', vehicle: row[0], share });
+      }
+      return true;
     case 'picture': {
       const picture = read.read_picture(message);
       if (picture !== null) session.pictures.set(camera_of(picture), picture);

@@ -69,10 +69,14 @@ TEST(BriefSession, ShowsFiftyVehiclesInWavesIn15KilobytesASecondAsTheyAre) {
   std::map<std::string, int> told;
   for (const json& message : brief.messages) ++told[message["is"].get<std::string>()];
   EXPECT_GE(told["reserves"], 1);
+  EXPECT_GE(told["thrusts"], 2);
+  EXPECT_EQ(told["thrust"], 0);
   EXPECT_LE(told["status"], 50) << "at first, and not for a reserve";
   told.clear();
   for (const json& message : plain.messages) ++told[message["is"].get<std::string>()];
   EXPECT_EQ(told["reserves"], 0);
+  EXPECT_EQ(told["thrusts"], 0);
+  EXPECT_GT(told["thrust"], 50);
   EXPECT_GT(told["status"], 75);
 }
 
