@@ -21,16 +21,15 @@ json triple_json(const twin::Triple<double>& ned_m) {
 }
 
 /// Half the width of a square about the origin that has all that stands, lies and goes there.
-double half_m(const api::RunInHand& hand) {
+double half_m(const RunPlace& place, std::span<const Horizontal> vehicles_m) {
   double farthest_m = 0;
   const auto reach = [&](double east_m, double north_m) {
     farthest_m = std::max({farthest_m, std::abs(east_m), std::abs(north_m)});
   };
-  for (const twin::AgentState& state : hand.run.states())
-    reach(state.vehicle.body.position_m.y, state.vehicle.body.position_m.x);
-  if (hand.environment->turbines)
-    for (const Horizontal at_m : hand.environment->turbines->at_m) reach(at_m.real(), at_m.imag());
-  for (const twin::MooringLine& line : hand.water.lines.moorings)
+  for (const Horizontal at_m : vehicles_m) reach(at_m.real(), at_m.imag());
+  if (place.environment.turbines)
+    for (const Horizontal at_m : place.environment.turbines->at_m) reach(at_m.real(), at_m.imag());
+  for (const twin::MooringLine& line : place.water.lines.moorings)
     reach(line.anchor_m.y, line.anchor_m.x);
   return std::clamp(farthest_m + margin_m, least_half_m, most_half_m);
 }
@@ -44,14 +43,13 @@ std::optional<double> bed_up_m(const twin::EnvironmentSampler& water, double eas
 
 }  // namespace
 
-json bed_json(const api::RunInHand& hand) {
-  const twin::EnvironmentSampler& water = *hand.run.agents().front().water;
-  const double half = half_m(hand), step_m = 2 * half / (across - 1);
+json bed_json(const RunPlace& place, std::span<const Horizontal> vehicles_m) {
+  const double half = half_m(place, vehicles_m), step_m = 2 * half / (across - 1);
   json up_m = json::array();
   bool is_known = false;
   for (std::size_t row = 0; row < across; ++row)
     for (std::size_t column = 0; column < across; ++column) {
-      const auto bed = bed_up_m(water, -half + step_m * static_cast<double>(column),
+      const auto bed = bed_up_m(place.sampler, -half + step_m * static_cast<double>(column),
                                 -half + step_m * static_cast<double>(row));
       up_m.push_back(bed ? centimetres(*bed) : json(nullptr));
       is_known = is_known || bed;
@@ -64,13 +62,12 @@ json bed_json(const api::RunInHand& hand) {
           {"up_m", up_m}};
 }
 
-json cables_json(const api::RunInHand& hand) {
-  const twin::EnvironmentSampler& water = *hand.run.agents().front().water;
+json cables_json(const RunPlace& place) {
   json cables = json::array();
-  for (const twin::WorkCable& cable : hand.water.lines.cables) {
+  for (const twin::WorkCable& cable : place.water.lines.cables) {
     json route = json::array();
     for (twin::Triple<double> at_m : cable.route_m) {
-      at_m.z = -bed_up_m(water, at_m.y, at_m.x).value_or(-at_m.z);
+      at_m.z = -bed_up_m(place.sampler, at_m.y, at_m.x).value_or(-at_m.z);
       route.push_back(triple_json(at_m));
     }
     cables.push_back({{"id", cable.id},

@@ -1,7 +1,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
-#include "api/ask/run/scenario_run.h"
+#include "api/door/people/run_place.h"
 
 namespace slackwater::people {
 
@@ -10,10 +10,12 @@ namespace slackwater::people {
 /// The bed about the origin as the vehicles have it, on a square grid as wide as what stands and
 /// goes there: {east_m, north_m, step_m, across, up_m}, rows from the south, each from the west;
 /// null where nobody knows the bed. Null: nobody knows it anywhere.
-[[nodiscard]] nlohmann::json bed_json(const api::RunInHand& hand);
+/// @param vehicles_m  where they begin: east, north
+[[nodiscard]] nlohmann::json bed_json(const RunPlace& place,
+                                      std::span<const Horizontal> vehicles_m);
 
 /// [{id, route, burial_m}], on the bed where it is known.
-[[nodiscard]] nlohmann::json cables_json(const api::RunInHand& hand);
+[[nodiscard]] nlohmann::json cables_json(const RunPlace& place);
 
 /// [{id, fairlead, anchor}]: the straight way between the ends of each line.
 [[nodiscard]] nlohmann::json moorings_json(const twin::SiteLines& lines);

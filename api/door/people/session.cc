@@ -3,7 +3,7 @@
 #include "api/door/http/field_list.h"
 #include "api/door/http/problem.h"
 #include "api/door/http/trust.h"
-#include "api/door/people/ground.h"
+#include "api/door/people/run_place.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -78,13 +78,8 @@ void Session::begin(const api::RunInHand& hand) {
         {"step_s", hand.run.step_s()},
         {"start", format_utc(hand.start)},
         {"origin", {{"lat", hand.origin.latitude_deg()}, {"lon", hand.origin.longitude_deg()}}},
-        {"water", water_json(hand.water)},
-        {"structures", structures},
-        {"turbines", turbines_json(hand.environment->turbines)},
-        {"sea", sea_json(hand.environment->sea.get())},
-        {"bed", bed_json(hand)},
-        {"cables", cables_json(hand)},
-        {"moorings", moorings_json(hand.water.lines)}};
+        {"structures", structures}};
+    run_facts_.update(place_facts(run_place(hand), places_of(hand.run.states())));
     begin_inspections();
   }
   hand.run.at_barrier(

@@ -50,22 +50,21 @@ void look_at_weather(const twin::EnvironmentSampler& water, double t_s, Surround
 }
 
 /// From the vehicle that is nearest to it.
-double nearest_m(const twin::Run& run, const twin::Contact& contact) {
+double nearest_m(std::span<const Horizontal> vehicles_m, const twin::Contact& contact) {
+  const Horizontal at_m{contact.motion.position_m.y, contact.motion.position_m.x};
   double nearest = std::numeric_limits<double>::infinity();
-  for (const twin::Seen& seen : run.seen())
-    nearest = std::min(nearest, std::hypot(contact.motion.position_m.x - seen.position_m.x,
-                                           contact.motion.position_m.y - seen.position_m.y));
+  for (const Horizontal vehicle_m : vehicles_m)
+    nearest = std::min(nearest, std::abs(at_m - vehicle_m));
   return nearest;
 }
 
-void look_at_traffic(const api::RunInHand& hand, double t_s, Surroundings& around) {
-  const auto& vessels = hand.run.agents().front().vessels;
-  if (!vessels || vessels->empty()) return;
+void look_at_traffic(const std::vector<twin::TrafficVessel>& vessels, double t_s,
+                     std::span<const Horizontal> vehicles_m, Surroundings& around) {
   twin::TrafficPicture picture;
-  twin::populate(*vessels, t_s, {}, picture);
+  twin::populate(vessels, t_s, {}, picture);
   std::vector<std::pair<double, const twin::Contact*>> by_distance;
   for (const twin::Contact& contact : picture.contacts)
-    by_distance.emplace_back(nearest_m(hand.run, contact), &contact);
+    by_distance.emplace_back(nearest_m(vehicles_m, contact), &contact);
   std::stable_sort(by_distance.begin(), by_distance.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [distance_m, contact] : by_distance) {
@@ -75,7 +74,7 @@ void look_at_traffic(const api::RunInHand& hand, double t_s, Surroundings& aroun
     vessel.east_m = contact->motion.position_m.y;
     vessel.north_m = contact->motion.position_m.x;
     vessel.velocity_m_s = {contact->motion.velocity_m_s.y, contact->motion.velocity_m_s.x};
-    for (const twin::TrafficVessel& known : *vessels)
+    for (const twin::TrafficVessel& known : vessels)
       if (known.id == contact->id) {
         vessel.name = known.name;
         vessel.length_m = known.length_m;
@@ -87,13 +86,13 @@ void look_at_traffic(const api::RunInHand& hand, double t_s, Surroundings& aroun
 
 }  // namespace
 
-Surroundings surroundings_of(const api::RunInHand& hand) {
+Surroundings surroundings_of(const RunPlace& place, double t_s,
+                             std::span<const Horizontal> vehicles_m) {
   Surroundings around;
-  const double t_s = hand.run.time_s();
-  look_at_weather(*hand.run.agents().front().water, t_s, around);
-  look_at_traffic(hand, t_s, around);
+  look_at_weather(place.sampler, t_s, around);
+  if (place.vessels != nullptr) look_at_traffic(*place.vessels, t_s, vehicles_m, around);
   const auto since = Duration(static_cast<Duration::rep>(1000 * t_s));
-  around.sun = twin::sun_position(hand.origin, hand.start + since);
+  around.sun = twin::sun_position(place.origin, place.start + since);
   return around;
 }
 

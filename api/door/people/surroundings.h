@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "api/ask/run/scenario_run.h"
+#include "api/door/people/run_place.h"
 #include "twin/risk/workability/sun_position.h"
 #include "twin/traffic/traffic_picture.h"
 
@@ -40,8 +40,11 @@ struct Surroundings {
   std::size_t vessels_left_out = 0;  ///< farther ones
 };
 
-/// Looks round. On the thread of the run, at a barrier; costs microseconds, and a copy of each
-/// vessel.
-[[nodiscard]] Surroundings surroundings_of(const api::RunInHand& hand);
+/// Looks round at a time of the run. Costs microseconds, and a copy of each vessel. What is led of
+/// the weather is what the environment has in hand now: of a run that goes on, on its thread, at a
+/// barrier.
+/// @param vehicles_m  where they are: east, north; vessels are told by how near they are to them
+[[nodiscard]] Surroundings surroundings_of(const RunPlace& place, double t_s,
+                                           std::span<const Horizontal> vehicles_m);
 
 }  // namespace slackwater::people
