@@ -12,18 +12,25 @@ namespace slackwater::api {
 namespace {
 
 struct WatchArguments {
-  std::filesystem::path log;
+  std::filesystem::path log, forecast;
   int port = 8091;
 };
 
 void run_watch(const WatchArguments& arguments, const Context& context) {
   const StopSignals stop;
   people::LoggedRun run = people::read_logged_run(arguments.log, data_folder());
+  std::optional<std::filesystem::path> forecast;
+  if (!arguments.forecast.empty()) forecast = arguments.forecast;
+  people::FoundSurround found =
+      people::find_surround(arguments.log, context.store_folder, forecast);
+  if (!found.missing.empty())
+    run.warnings.push_back("its waves, wind, current, turbines and traffic are not shown: " +
+                           found.missing);
   for (const std::string& warning : run.warnings)
     std::fprintf(stderr, "slackwater: %s\n", warning.c_str());
   const std::size_t actions = run.actions.size();
   const double lasts_s = run.to_s() - run.from_s();
-  const auto playback = std::make_shared<people::Playback>(std::move(run));
+  const auto playback = std::make_shared<people::Playback>(std::move(run), std::move(found));
   http::Router router;
   people::add_routes(router, playback);
   http::ServerOptions options;
@@ -52,6 +59,8 @@ void add_watch(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand(
       "watch", "Watch the log of a run again in the page /session, with a scrubber");
   command->add_option("log", arguments->log, "FILE.nc of live or simulate --out")->required();
+  command->add_option("--forecast", arguments->forecast,
+                      "file of the forecast it ran in (default: found in the store)");
   command
       ->add_option("--port", arguments->port,
                    "port of 127.0.0.1; 0 takes any that is free (default 8091)")

@@ -26,8 +26,11 @@ json origin_json(const std::optional<GeoPoint>& origin) {
 
 }  // namespace
 
-Playback::Playback(LoggedRun run)
-    : run_(std::move(run)), began_(std::chrono::steady_clock::now()), ticker_([this] {
+Playback::Playback(LoggedRun run, FoundSurround found)
+    : run_(std::move(run)),
+      found_(std::move(found)),
+      began_(std::chrono::steady_clock::now()),
+      ticker_([this] {
         tick();
         return true;
       }) {
@@ -51,6 +54,7 @@ Playback::Playback(LoggedRun run)
             {"seats", json::array()},
             {"actions", actions},
             {"playback", {{"from_s", run_.from_s()}, {"to_s", run_.to_s()}}}};
+  facts_.update(place_facts());
 }
 
 Playback::~Playback() { end(); }
@@ -141,6 +145,7 @@ void Playback::heard(Viewer& viewer, const StationSays& says) {
     play(viewer, says.number_if("rate", PlayHead::least_rate, PlayHead::most_rate).value_or(1));
   } else if (what == "pause") {
     viewer.head.pause(clock());
+    viewer.around_at_s = constants::nan;
     show(viewer);
   } else if (what == "seek") {
     seek(viewer, says.number("time_s", -any_time_s, any_time_s));
@@ -171,6 +176,7 @@ void Playback::seek(Viewer& viewer, double time_s) {
   tell(viewer, {{"is", "seen"}, {"number", number_of_last(viewer.actions_told)}, {"time_s", at_s}});
   viewer.flow.begin_again();
   viewer.is_frame_due = true;
+  viewer.around_at_s = constants::nan;
   show(viewer);
 }
 
@@ -195,6 +201,11 @@ void Playback::welcome(Viewer& viewer, const std::string& name) {
   }
   welcome["helms"] = helms;
   welcome["status"] = status;
+  const Around around = around_at(at_s);
+  welcome["weather"] = viewer.weather_told = around.weather;
+  welcome["traffic"] = viewer.traffic_told = around.traffic;
+  viewer.around_at_s = at_s;
+  viewer.around_at = clock();
   tell(viewer, welcome);
   send_frame(viewer, at_s);
 }
@@ -210,6 +221,8 @@ void Playback::show(Viewer& viewer) {
     tell(viewer, told);
   }
   tell_vehicles(viewer, at_s);
+  if (viewer.head.is_at_end(now)) viewer.around_at_s = constants::nan;
+  tell_around(viewer, at_s);
   send_frame(viewer, at_s);
   if (viewer.head.is_playing() && viewer.head.is_at_end(now)) viewer.head.pause(now);
   tell_run(viewer);

@@ -10,8 +10,10 @@
 
 #include "api/door/people/connection.h"
 #include "api/door/people/playback/logged_run.h"
+#include "api/door/people/playback/logged_surround.h"
 #include "api/door/people/playback/play_head.h"
 #include "api/door/people/ticker.h"
+#include "fields/base/constants.h"
 
 namespace slackwater::people {
 
@@ -22,7 +24,7 @@ class Playback final : public api::http::WebSocketHandler {
  public:
   static constexpr const char* id = "log";
 
-  explicit Playback(LoggedRun run);
+  explicit Playback(LoggedRun run, FoundSurround found = {});
   ~Playback() override;
   /// Tells the stations that it is over, and closes them.
   void end();
@@ -56,6 +58,13 @@ class Playback final : public api::http::WebSocketHandler {
     std::vector<StatusPlace> told;  ///< of each vehicle
     nlohmann::json run_told;
     std::vector<std::uint16_t> there;  ///< vehicles of its last frame
+    nlohmann::json weather_told, traffic_told;
+    double around_at_s = constants::nan;  ///< of the run, when it was told these; nan: tell anew
+    Milliseconds around_at = 0;           ///< likewise, of the clock
+  };
+  /// What is about the vehicles; null: nobody knows.
+  struct Around {
+    nlohmann::json weather, traffic;
   };
   [[nodiscard]] Milliseconds clock() const;
   void tick();
@@ -67,6 +76,10 @@ class Playback final : public api::http::WebSocketHandler {
   void tell_vehicles(Viewer& viewer, double at_s);
   void tell_run(Viewer& viewer);
   void send_frame(Viewer& viewer, double at_s);
+  [[nodiscard]] nlohmann::json place_facts() const;
+  [[nodiscard]] std::string weather_by(double at_s) const;
+  [[nodiscard]] Around around_at(double at_s);
+  void tell_around(Viewer& viewer, double at_s);
   [[nodiscard]] nlohmann::json run_json(const Viewer& viewer) const;
   [[nodiscard]] nlohmann::json vehicle_facts(std::size_t vehicle) const;
   [[nodiscard]] nlohmann::json status_then(std::size_t vehicle, const StatusPlace& place) const;
@@ -74,6 +87,7 @@ class Playback final : public api::http::WebSocketHandler {
   [[nodiscard]] std::uint64_t number_of_last(std::size_t actions) const;
 
   const LoggedRun run_;
+  const FoundSurround found_;
   nlohmann::json facts_;  ///< that never change: of the welcome
   std::chrono::steady_clock::time_point began_;
 

@@ -58,6 +58,8 @@ TEST_F(WatchCommand, ServesThePageAndPlaysTheLogUntilItIsInterrupted) {
   const json welcome = station.hello("");
   EXPECT_EQ(welcome["vehicles"][0]["kind"], "rov");
   EXPECT_EQ(welcome["playback"]["to_s"], 60.0);
+  EXPECT_EQ(welcome["water"], json({{"forecast", nullptr}})) << "made up";
+  EXPECT_EQ(welcome["bed"]["up_m"][0], -60.0);
   EXPECT_EQ(station.asks({{"do", "play"}, {"rate", 10}})["taken"], true);
   EXPECT_EQ(program->end(SIGINT), 0);
   EXPECT_EQ(station.closed(), 4000) << "those who watch are told";
