@@ -6,6 +6,7 @@ import type { Session } from '../session/state';
 import type { Approach } from './approach';
 import { site_in_words } from './site_words';
 
+const NOT_SHOWN = 'Waves, wind, current, turbines and traffic of this run are not shown';
 const EVERY_M = 10; // depths of which the current is told
 
 function sun_words({ elevation_deg, azimuth_deg }: Sun): string {
@@ -26,6 +27,7 @@ export function scene_in_words(session: Session, approaches: readonly Approach[]
   const lines: string[] = [];
   const { weather, turbines } = session;
   if (session.forecast !== undefined) lines.push(water_words(session));
+  if (session.water_missing !== '') lines.push(`${NOT_SHOWN}: ${session.water_missing}.`);
   if (weather?.sun != null) lines.push(sun_words(weather.sun));
   lines.push(...site_in_words(session));
   const currents = weather?.currents ?? [];

@@ -17,7 +17,7 @@ import { daylight_of } from './daylight';
 import { Sky } from './sky';
 import { Water } from './water';
 
-const NOON = { elevation_deg: 50, azimuth_deg: 180 }; // where nobody says, as in a recording
+const NOON = { elevation_deg: 50, azimuth_deg: 180 }; // where nobody says
 const FADED_AWAY = 9; // exp(-9) is less than one of 8000 parts
 const UNKNOWN_BY_DAY = 1.2; // of all sides, where the sun's own light is 2
 

@@ -59,7 +59,7 @@ export interface Session {
   /** Of each camera the last, by vehicle and sensor. */
   pictures: Map<string, Picture>;
   weather: Weather | null;
-  /** Null: calm, or a recording, which does not tell. */
+  /** Null: calm, or a recording whose waves nobody knows any more. */
   sea: Sea | null;
   /** Null: nobody knows it, or it is not told. */
   bed: Bed | null;
@@ -69,6 +69,8 @@ export interface Session {
   turbines: Turbines | null;
   /** Of wind, waves and current, its name; null: they are made up; undefined: not told. */
   forecast: string | null | undefined;
+  /** Why a recording tells nothing of waves, wind, current, turbines, traffic; empty: it does. */
+  water_missing: string;
   /** Of each vehicle on a tether its nodes, from the top to it. */
   lines: Map<number, Point[]>;
   /** What its thrusters do, from -1 to 1, by vehicle. */
@@ -111,6 +113,7 @@ export function empty_session(): Session {
     vessels: [],
     turbines: null,
     forecast: undefined,
+    water_missing: '',
     lines: new Map(),
     thrusts: new Map(),
     surfaces: new Map(),
@@ -276,7 +279,9 @@ function welcome(session: Session, message: Json): void {
   session.sea = read_sea(message.sea);
   session.turbines = read_turbines(message.turbines);
   const water = read.as_object(message.water);
-  session.forecast = water === null ? undefined : read.as_text(water.forecast) || null;
+  session.water_missing = read.as_text(water?.missing);
+  const is_told = water !== null && session.water_missing === '';
+  session.forecast = is_told ? read.as_text(water.forecast) || null : undefined;
   session.looks = read_looks(message.looks);
   session.notes = read_notes(message.notes);
   session.lines.clear();

@@ -237,3 +237,22 @@ test('an alarm tells who has seen to it', () => {
   told({ acknowledged_by: 'Ann' });
   assert.equal([...session.alarms.values()][0]?.acknowledged_by, 'Ann');
 });
+
+test('of a recording whose forecast is gone it is said why', () => {
+  const session = empty_session();
+  tell(session, {
+    is: 'welcome',
+    water: { missing: 'the forecast is not in the store' },
+    sea: null,
+    playback: { from_s: 0, to_s: 60 },
+  });
+  assert.equal(session.forecast, undefined);
+  assert.equal(session.sea, null);
+  assert.deepEqual(scene_in_words(session, []), [
+    'Waves, wind, current, turbines and traffic of this run are not shown: ' +
+      'the forecast is not in the store.',
+  ]);
+  tell(session, { is: 'welcome', water: { forecast: null } });
+  assert.equal(session.water_missing, '', 'the next one is another');
+  assert.equal(session.forecast, null);
+});
