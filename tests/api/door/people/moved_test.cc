@@ -332,10 +332,11 @@ std::string frames_for_the_page() {
       "export const MOVED_FRAMES = `\n";
   Told told;
   for (std::size_t frame = 0; frame < 48; ++frame) {
-    const std::size_t late = frame / 7;
+    const std::size_t late = frame / 7 + (frame > 15 ? 12 : 0);  // of a step, and of many
     const double time_s = 12.5 + 0.05 * static_cast<double>(frame + late);
     std::vector<Pose> now = swinging(frame);
     if (frame == 25) now[2].north_m = std::numeric_limits<float>::infinity();
+    if (frame == 34) now[1] = swinging(33)[1];  // it rests, and goes on
     if (frame == 40) told.flow.begin_again();
     EXPECT_TRUE(told.tell(now, time_s));
     text += "frame\n";
