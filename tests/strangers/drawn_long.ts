@@ -1,7 +1,7 @@
 // In a browser: a long session, as fast as it goes, through the page's own modules: frames at 20
-// Hz, weather, traffic that comes and goes, a way under edit, notes, actions, coverage; now and then
-// drawn, from near and afar. After a third of it and at its end the page holds the same, but for
-// the tracks, which are kept for half an hour. `window.minutes` is how long it is.
+// Hz, weather, traffic that comes and goes, a way under edit, notes, actions, coverage; now and
+// then drawn, from near and afar. After a third of it and at its end the page holds the same, but
+// for the tracks, which are kept for half an hour. `window.minutes` is how long it is.
 import { SceneView } from 'page/scene/scene_view';
 import { decode_frame } from 'page/session/frame';
 import { empty_session, show_frame, tell } from 'page/session/state';

@@ -236,7 +236,13 @@ export class Stay {
     if (by.length() === 0) return false;
     rig.move(is_table ? by.multiplyScalar(rig.scale * TABLE_FLIGHT) : by);
     if (!is_table)
-      rig.move(new Vector3(0, out_of_bed_m(rig.head_at().y, this.view.surround.bed_under(rig.head_at())), 0));
+      rig.move(
+        new Vector3(
+          0,
+          out_of_bed_m(rig.head_at().y, this.view.surround.bed_under(rig.head_at())),
+          0,
+        ),
+      );
     return true;
   }
 

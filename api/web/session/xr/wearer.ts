@@ -63,7 +63,13 @@ export class Wearer implements Visitor {
 
   before_drawn({ session, chosen, draft }: Shown, names: readonly Name[]): void {
     this.signs.show(names, this.rig.head, performance.now());
-    this.marks?.show(session, chosen, draft, this.view.surround.bed_under(this.middle), this.middle);
+    this.marks?.show(
+      session,
+      chosen,
+      draft,
+      this.view.surround.bed_under(this.middle),
+      this.middle,
+    );
   }
 
   dispose(): void {

@@ -242,7 +242,11 @@ test('each patch has its tone, whatever the order of its triangles, and paint li
   const camera = new PerspectiveCamera(55, 1, 0.1, 1000);
   camera.position.set(0, -28, 0);
   const show = (): number[] => {
-    view.show(session.surfaces, { eye: camera.position, field_deg: camera.fov, high_px: 400 }, TONES);
+    view.show(
+      session.surfaces,
+      { eye: camera.position, field_deg: camera.fov, high_px: 400 },
+      TONES,
+    );
     const { geometry } = scene.getObjectByName('inspected')!.children[0] as Mesh;
     const [colour, place] = ['color', 'position'].map((it) => geometry.getAttribute(it));
     assert.equal(place!.count, 6, 'what is of no patch is left out');
@@ -345,7 +349,7 @@ const SEEN_BY = {
   ],
 } as const;
 
-test('what is covered and what is not are told apart in each palette, by the colour blind too', () => {
+test('what is covered is told apart in each palette, by the colour blind too', () => {
   const style = readFileSync('page/page.css', 'utf8');
   const of = (name: string): Color[] =>
     [...style.matchAll(new RegExp(`--${name}: (#[0-9a-f]{6})`, 'g'))].map((it) => new Color(it[1]));

@@ -103,7 +103,7 @@ class World {
     }
     this.now = end;
   }
-  /** A tab that is frozen: time goes by, and then all timers that were due run before aught else. */
+  /** A tab that is frozen: time goes by, then all timers that were due run before aught else. */
   async sleep(ms: number): Promise<void> {
     this.now += ms;
     await this.pass(0);
