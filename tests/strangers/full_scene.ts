@@ -1,7 +1,7 @@
 // In a browser: a scene of 20 vehicles with their thrusters, 64 waves, 50 turbines, a bed, 50
 // cables, 20 moorings, and two inspected surfaces of 10 000 patches, half covered, within its
-// budgets: seen whole from afar, and from near with its detail. How long drawing takes is the graphics card's
-// matter; what is counted is the script, and what it asks for.
+// budgets: seen whole from afar, and from near with its detail. How long drawing takes is the
+// graphics card's matter; what is counted is the script, and what it asks for.
 import { Tracks } from 'page/view/tracks';
 import { SceneView } from 'page/scene/scene_view';
 import { empty_session, show_frame, tell } from 'page/session/state';

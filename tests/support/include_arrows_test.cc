@@ -134,7 +134,7 @@ const Arrows& allowed_arrows_of_api() {
        {"api/ask/run", "api/door/http", "api/door/live/topics", "api/door/people/wire", "api/log",
         "api/program", "api/web"}},
       {"api/door/people/playback",
-       {"api/door/http", "api/door/people", "api/door/people/wire", "api/log"}},
+       {"api/ask/run", "api/door/http", "api/door/people", "api/door/people/wire", "api/log"}},
       {"api/door/desk", {"api/ask/decisions", "api/ask/history",
                          "api/ask/morning",   "api/ask/plan",
                          "api/ask/rehearse",  "api/ask/traffic",
