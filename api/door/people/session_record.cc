@@ -1,5 +1,6 @@
 #include "api/door/people/session.h"
 
+#include "fields/base/error.h"
 #include "fields/base/text.h"
 
 // What the record of a session keeps. With the lock held, but for `actions`.

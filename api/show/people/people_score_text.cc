@@ -116,6 +116,7 @@ std::string attention_text(const Attention& attention) {
                                          100 * for_s / attention.kept_s));
   std::sort(parts.begin(), parts.end());
   std::vector<std::string> words;
+  words.reserve(parts.size());
   for (const auto& [order, text] : parts) words.push_back(text);
   return formatted("    looked at, kept for {:.1f} min: {}\n", attention.kept_s / 60,
                    joined(words, ", "));
@@ -125,7 +126,7 @@ std::string attention_text(const Attention& attention) {
 std::string or_dash(const std::vector<double>& values, int decimals, double scale = 1) {
   if (values.empty()) return "-";
   const Spread spread = spread_of(values);
-  const std::string mean = formatted("{:.{}f}", scale * spread.mean, decimals);
+  std::string mean = formatted("{:.{}f}", scale * spread.mean, decimals);
   if (values.size() < 2) return mean;
   return mean + formatted(" ({:.{}f})", scale * spread.deviation, decimals);
 }
