@@ -1,5 +1,5 @@
-// headset.mjs MODULES ADDRESS WORK: Ann at a desk and Hal with a headset in the session at ADDRESS, each with the page in Chromium
-// as it is. The headset is iwer's: WebXR as the page calls it, with a head, controllers and hands that the test moves. What a page
+// headset.mjs MODULES ADDRESS WORK: Ann at a desk, Hal with a headset and Pia with a telephone in the session at ADDRESS, each with
+// the page in Chromium as it is. The headset is iwer's: WebXR as the page calls it, with a head, controllers and hands that the test moves. What a page
 // says to the server is heard by wrapping WebSocket.prototype.send; where hands are, by looking into the frames beside the page.
 import { strict as assert } from "node:assert";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -12,7 +12,8 @@ const puppeteer = require("puppeteer-core");
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const iwer = readFileSync(join(resolve(modules), "node_modules/iwer/build/iwer.min.js"), "utf8");
 
-const TOKENS = { Ann: "ann-0123456789abcdef", Hal: "hal-0123456789abcdef" };
+const TOKENS = { Ann: "ann-0123456789abcdef", Hal: "hal-0123456789abcdef", Pia: "pia-0123456789abcdef" };
+const TELEPHONE = { width: 390, height: 844, isMobile: true, hasTouch: true };
 const LIMIT_MS = 30000; // generous: sanitizers, two cores
 const BED_M = -60; // of the scenario
 const EYES_M = 1.6; // over the floor
@@ -55,10 +56,10 @@ class Person {
     this.name = name;
     this.page = page;
   }
-  static async sitDown(name, browser, has_headset) {
+  static async sitDown(name, browser, has_headset, viewport = { width: 320, height: 180 }) {
     const page = await browser.newPage();
     const person = new Person(name, page);
-    await page.setViewport({ width: 320, height: 180 });
+    await page.setViewport(viewport);
     await page.evaluateOnNewDocument(hear);
     if (has_headset) {
       await page.evaluateOnNewDocument(iwer);
@@ -170,11 +171,11 @@ Wearer.sitDown = async (...given) => {
   return new Wearer(name, page);
 };
 
-let ann, hal;
+let ann, hal, pia;
 const browsers = [];
 async function fail(what, error) {
   console.log(`FAILED: ${what}: ${error.message}`);
-  for (const person of [ann, hal].filter(Boolean)) console.log(`${person.name} sees ${await person.shown().catch(String)}`);
+  for (const person of [ann, hal, pia].filter(Boolean)) console.log(`${person.name} sees ${await person.shown().catch(String)}`);
   for (const browser of browsers) process.kill(-browser.process().pid, "SIGKILL"); // with its children
   process.exit(1);
 }
@@ -456,6 +457,43 @@ const steps = {
     await hal.board(2, 10); // HOLD, Give back, Grant
     await ann.reads(".helm-state", /^You drive/);
     return hal.reads(".helm-state", /^Ann drives/);
+  },
+
+  async "a telephone beside them takes the helm, drives by touch, and looks about in the scene"() {
+    pia = await Person.sitDown("Pia", browsers[0], false, TELEPHONE);
+    await pia.press("Ask for the helm");
+    await ann.press("Grant");
+    await pia.reads(".helm-state", /^You drive/);
+    await hal.reads(".helm-state", /^Pia drives/);
+    const ring = await pia.page.waitForSelector(".touch-stick .ring", { visible: true, timeout: LIMIT_MS });
+    await ring.scrollIntoView();
+    const { x, y, width, height } = await ring.boundingBox();
+    const [middle, upper] = [{ x: x + width / 2, y: y + height / 2 }, { x: x + width / 2, y: y + 0.1 * height }];
+    const since_ms = await pia.now();
+    await pia.page.touchscreen.touchStart(middle.x, middle.y);
+    await pia.page.touchscreen.touchMove(upper.x, upper.y);
+    const driven = await pia.says("stick", since_ms, (it) => it.velocity[0] > 0.1);
+    await hal.until("a vehicle that moves", () => parseFloat(document.querySelector(".vehicles tbody td:nth-of-type(3)").textContent) >= 0.1);
+    await pia.page.touchscreen.touchEnd();
+    await sleep(400);
+    assert(isZero((await pia.said("stick")).at(-1)), "the last stick");
+    await pia.press("Give back");
+
+    await pia.press("Scene");
+    const before = await pia.says("look", since_ms);
+    const canvas = await pia.page.$("#scene-canvas");
+    await canvas.scrollIntoView();
+    const box = await canvas.boundingBox();
+    const across = { y: box.y + box.height / 2, from: box.x + 0.3 * box.width, to: box.x + 0.3 * box.width + 100 };
+    await pia.page.touchscreen.touchStart(across.from, across.y);
+    await pia.page.touchscreen.touchMove(across.to, across.y);
+    await pia.page.touchscreen.touchEnd();
+    // 100 pixels are 0.6 radians (scene_panel.ts).
+    const turn_deg = (100 * 0.006 * 180) / Math.PI;
+    const turned = await pia.says("look", since_ms, (it) => Math.abs(it.heading_deg - before.heading_deg) > 2);
+    const by_deg = Math.abs(((turned.heading_deg - before.heading_deg + 540) % 360) - 180);
+    near(by_deg, turn_deg, 1, "turned by a finger, degrees");
+    return `${driven.velocity[0]} m/s; a finger turns the view by ${by_deg} degrees`;
   },
 };
 

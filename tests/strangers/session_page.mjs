@@ -36,6 +36,8 @@ function hear() {
   };
 }
 
+const asked_for = { inside: 0, outside: [] };
+
 /** A person at the page. */
 class Person {
   constructor(name, page) {
@@ -48,6 +50,11 @@ class Person {
     await person.page.setViewport({ width: 1280, height: 800 });
     await person.page.evaluateOnNewDocument(hear);
     person.page.on("pageerror", (error) => fail(`the page of ${name} throws`, error));
+    person.page.on("request", (it) => {
+      const { protocol, origin } = new URL(it.url());
+      if (origin === address || protocol === "data:" || protocol === "blob:") asked_for.inside += 1;
+      else asked_for.outside.push(it.url());
+    });
     await person.page.goto(`${address}/session${search}`);
     await person.page.waitForSelector("form.join option", { timeout: LIMIT_MS });
     return person;
@@ -540,6 +547,12 @@ const steps = {
     }
     await eve.close();
     return `${looks} looks`;
+  },
+
+  async "no request leaves the machine"() {
+    assert.deepEqual(asked_for.outside, []);
+    assert(asked_for.inside > 10, `${asked_for.inside} requests were seen`);
+    return `${asked_for.inside} requests, all to ${address}`;
   },
 
   async "who leaves is told so, and the others see it"() {
