@@ -11,8 +11,8 @@ namespace slackwater::api::http {
 namespace {
 
 constexpr std::array<std::string_view, 5> methods{"GET", "HEAD", "OPTIONS", "POST", "(other)"};
-constexpr std::array<int, 23> statuses{101, 200, 201, 202, 204, 301, 302, 303, 304, 308, 400, 401,
-                                       403, 404, 405, 406, 408, 413, 414, 426, 431, 500, 503};
+constexpr std::array<int, 24> statuses{101, 200, 201, 202, 204, 301, 302, 303, 304, 308, 400, 401,
+                                       403, 404, 405, 406, 408, 413, 414, 426, 431, 500, 501, 503};
 /// Upper bounds in seconds; the target of a small answer is 0.005.
 constexpr std::array<double, 13> bounds_s{0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05,
                                           0.1,    0.25,  0.5,    1,     2.5,  10};

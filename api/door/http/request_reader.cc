@@ -9,6 +9,8 @@
 #include <optional>
 
 #include "api/door/http/field_list.h"
+#include "api/door/http/framing.h"
+#include "api/door/http/request_lines.h"
 
 namespace slackwater::api::http {
 namespace {
@@ -49,9 +51,9 @@ UpgradeFields upgrade_of(const beast::http::fields& fields) {
   return upgrade;
 }
 
-Arrival arrival_of(Parser& parser) {
+/// But for the body; what follows that as trailers is read over, and says nothing.
+Arrival arrival_of(const Parser::value_type& message) {
   Arrival arrival;
-  auto message = parser.release();
   Request& request = arrival.request;
   request.method = text_of(message.method_string());
   const std::string target = text_of(message.target());
@@ -61,7 +63,6 @@ Arrival arrival_of(Parser& parser) {
   request.host = text_of(message[field::host]);
   request.accept = list_of(message, field::accept);
   request.content_type = list_of(message, field::content_type);
-  request.body = std::move(message.body());
   arrival.is_http_1_1 = message.version() >= 11;
   arrival.keep_alive = message.keep_alive();
   arrival.is_forwarded = message.count(field::forwarded) + message.count("X-Forwarded-For") > 0;
@@ -85,8 +86,11 @@ struct RequestReader::Parsing {
     parser.emplace();
     parser->header_limit(static_cast<std::uint32_t>(limits.header_bytes + limits.url_bytes));
     parser->body_limit(limits.body_bytes);
-    parser->eager(true);
     header_is_checked = false;
+    header_lines = {};
+    chunk_lines = {};
+    is_chunked = false;
+    looked_through = 0;
   }
 
   Progress refuse(int status, std::string detail) {
@@ -132,13 +136,44 @@ struct RequestReader::Parsing {
       return refuse(431, "A request has at most " + std::to_string(limits.header_fields) +
                              " header fields; found " + std::to_string(fields) + ".");
     }
+    if (auto fault = framing_fault(header.base(), limits.field_bytes))
+      return refuse(fault->status, std::move(fault->detail));
     expects_continue = !parser->is_done() && beast::iequals(header[field::expect], "100-continue");
+    is_chunked = parser->chunked();
+    arrival = arrival_of(header);
+    parser->eager(true);
     return std::nullopt;
   }
+
+  /// Of the lines of a header, or of chunks, before they are read.
+  std::optional<Progress> check_lines() {
+    if (header_is_checked && !is_chunked) return std::nullopt;
+    const std::string_view bytes{static_cast<const char*>(buffer.data().data()), buffer.size()};
+    std::string_view left = bytes.substr(looked_through);
+    auto fault = header_is_checked ? chunk_lines.take(left) : header_lines.take(left);
+    looked_through = bytes.size() - left.size();
+    if (!fault) return std::nullopt;
+    return refuse(fault->status, std::move(fault->detail));
+  }
+
+  /// Lets the parser read what there is.
+  void read(ErrorCode& problem) {
+    const std::size_t taken = parser->put(buffer.data(), problem);
+    buffer.consume(taken);
+    looked_through -= std::min(looked_through, taken);
+  }
+
+  /// No more bytes fit, and those there are make nothing: of a line of chunks without an end.
+  [[nodiscard]] bool is_stuck() const { return buffer.size() == buffer.max_size(); }
 
   const Limits& limits;
   beast::flat_buffer buffer;
   std::optional<Parser> parser;
+  Arrival arrival;
+  HeaderLines header_lines;
+  ChunkLines chunk_lines;
+  bool is_chunked = false;
+  std::size_t looked_through = 0;  ///< for them, of the buffer
   bool header_is_checked = false;
   bool expects_continue = false;
   Refusal refusal;
@@ -161,7 +196,8 @@ RequestReader::Progress RequestReader::advance() {
   if (!parsing.parser) parsing.begin();
   while (parsing.buffer.size() > 0) {
     ErrorCode problem;
-    parsing.buffer.consume(parsing.parser->put(parsing.buffer.data(), problem));
+    if (const auto refused = parsing.check_lines()) return *refused;
+    parsing.read(problem);
     if (problem && problem != error::need_more) return parsing.refuse_bytes(problem);
     if (!parsing.header_is_checked && parsing.parser->is_header_done()) {
       if (const auto refused = parsing.check_header()) return *refused;
@@ -169,11 +205,14 @@ RequestReader::Progress RequestReader::advance() {
     if (parsing.parser->is_done()) return Progress::complete;
     if (problem) break;
   }
+  if (parsing.is_stuck())
+    return parsing.refuse(400, "A line of this request is longer than all that is read of it.");
   return Progress::needs_more;
 }
 
 Arrival RequestReader::take() {
-  Arrival arrival = arrival_of(*parsing_->parser);
+  Arrival arrival = std::move(parsing_->arrival);
+  arrival.request.body = std::move(parsing_->parser->get().body());
   parsing_->parser.reset();
   return arrival;
 }

@@ -2,18 +2,12 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <string>
 
 #include "api/door/http/exchange.h"
+#include "api/door/http/refusal.h"
 #include "api/door/http/server_options.h"
 
 namespace slackwater::api::http {
-
-/// What to tell the sender of bytes that are no request, or too much of one.
-struct Refusal {
-  int status = 400;
-  std::string detail;
-};
 
 /// Makes requests of the bytes of one connection, however they are cut. Knows no sockets; one
 /// thread. Memory is bounded by the limits.

@@ -19,6 +19,7 @@ struct Limits {
   std::size_t url_bytes = std::size_t{16} * 1024;     ///< longer: 414
   std::size_t header_fields = 100;                    ///< more: 431
   std::size_t header_bytes = std::size_t{64} * 1024;  ///< all fields together; more: 431
+  std::size_t field_bytes = std::size_t{16} * 1024;   ///< one field, name and value; longer: 431
   std::size_t body_bytes = 1 << 20;                   ///< longer: 413
   std::size_t connections = 256;                      ///< at once; beyond: see `patience`
   /// From the first byte of a request (or the connection) to its last; longer: 408.

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace slackwater::tests::request_reader_test {
 namespace {
@@ -82,6 +84,95 @@ TEST(RequestReader, LimitsHoldToTheByte) {
   EXPECT_EQ(outcome("GET /1234567890 HTTP/1.1\r\n\r\n"), 414);
   EXPECT_EQ(outcome("POST / HTTP/1.1\r\nContent-Length: 5\r\n\r\n12345"), 200);
   EXPECT_EQ(outcome("POST / HTTP/1.1\r\nContent-Length: 6\r\n\r\n"), 413) << "before it is sent";
+}
+
+std::string outcome_of(const std::string& bytes, std::size_t cut = std::string::npos) {
+  const Limits limits;
+  RequestReader reader(limits);
+  Progress progress = feed(reader, std::string_view(bytes).substr(0, cut));
+  if (progress == Progress::needs_more && cut < bytes.size())
+    progress = feed(reader, std::string_view(bytes).substr(cut));
+  if (progress == Progress::refused) return std::to_string(reader.refusal().status);
+  if (progress == Progress::needs_more) return "more";
+  return reader.take().request.body + (reader.has_bytes() ? " and more" : "");
+}
+
+// RFC 9112: what two readers could take for different requests is no request at all.
+TEST(RequestReader, ALengthThatIsDoubtfulIsRefusedWithItsStatus) {
+  struct Doubtful {
+    const char* head;
+    const char* outcome;
+  };
+  const std::vector<Doubtful> all{
+      {"POST / HTTP/1.1\r\nTransfer-Encoding: chunked, gzip\r\n\r\n", "501"},
+      {"POST / HTTP/1.1\r\nTransfer-Encoding: gzip, chunked\r\n\r\n", "501"},
+      {"POST / HTTP/1.1\r\nTransfer-Encoding: chunked, chunked\r\n\r\n", "400"},
+      {"POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\nTransfer-Encoding: chunked\r\n\r\n",
+       "400"},
+      {"POST / HTTP/1.1\r\nTransfer-Encoding: chunked,\r\n\r\n", "400"},
+      {"POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\nContent-Length: 5\r\n\r\n", "400"},
+      {"POST / HTTP/1.1\r\nContent-Length: 5\r\nContent-Length: 5\r\n\r\nhello", "400"},
+      {"POST / HTTP/1.1\r\nContent-Length: 5, 5\r\n\r\nhello", "400"},
+      {"POST / HTTP/1.1\r\nContent-Length: +5\r\n\r\nhello", "400"},
+      {"POST / HTTP/1.0\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n", "400"},
+      {"CONNECT h:80 HTTP/1.1\r\nHost: h\r\n\r\nGET / HTTP/1.1\r\n\r\n", "400"},
+      {"CONNECT / HTTP/1.1\r\nHost: h\r\n\r\nGET / HTTP/1.1\r\n\r\n", "501"},
+      {"GET /\xc3\xa4 HTTP/1.1\r\n", "400"},
+      {"GET a HTTP/1.1\r\n\r\n", "400"},
+      {"GET http://h:1/a HTTP/1.1\r\n\r\n", ""},
+      {"GET / HTTP/1.1\r\nA: b\r\n c\r\n\r\n", "400"},
+      {"GET / HTTP/1.1\r\nA: b\nC: d\r\n\r\n", "400"},
+      {"GET / HTTP/1.1\r\nA: b\rC: d\r\n\r\n", "400"},
+      {"HEAD / HTTP/1.1\r\nContent-Length: 5\r\n\r\nGET /HEAD / HTTP/1.1\r\n\r\n",
+       "GET / and more"},
+  };
+  for (const Doubtful& one : all) EXPECT_EQ(outcome_of(one.head), one.outcome) << one.head;
+}
+
+TEST(RequestReader, ChunksAreReadInOneWayOnly) {
+  struct Doubtful {
+    const char* body;
+    const char* outcome;
+  };
+  const std::string head = "POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n";
+  const std::vector<Doubtful> all{
+      {"5\r\nhello\r\n0\r\n\r\n", "hello"},
+      {"00005;a=b\r\nhello\r\n0\r\n\r\nGET ", "hello and more"},
+      {"5\nhello\n0\n\n", "400"},
+      {"5 \r\nhello\r\n0\r\n\r\n", "400"},
+      {"0x5\r\nhello\r\n0\r\n\r\n", "400"},
+      {"-5\r\n", "400"},
+      {"h", "400"},
+      {"5\r\nhellox\r\n", "400"},
+      {"ffffffffffffffff\r\n", "413"},
+      {"0\r\nA b\r\n", "400"},
+      {"0\r\n\n", "400"},
+  };
+  for (const Doubtful& one : all)
+    for (std::size_t cut = head.size(); cut <= head.size() + 3; ++cut)
+      EXPECT_EQ(outcome_of(head + one.body, cut), one.outcome) << one.body << ", cut at " << cut;
+  EXPECT_EQ(outcome_of(head + "5;" + std::string(9000, 'x')), "431");
+}
+
+// Behind the body a sender may not say who it is, or what it accepts.
+TEST(RequestReader, TrailersSayNothing) {
+  const Limits limits;
+  RequestReader reader(limits);
+  ASSERT_EQ(feed(reader,
+                 "POST / HTTP/1.1\r\nHost: h\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n"
+                 "Authorization: Bearer t\r\nHost: evil\r\nConnection: close\r\n\r\n"),
+            Progress::complete);
+  const Arrival arrival = reader.take();
+  EXPECT_EQ(arrival.request.authorization, "");
+  EXPECT_EQ(arrival.request.host, "h");
+  EXPECT_EQ(arrival.host_fields, 1U);
+  EXPECT_TRUE(arrival.keep_alive);
+}
+
+TEST(RequestReader, OneFieldIsNotTooLong) {
+  const std::string head = "GET / HTTP/1.1\r\nX: ";
+  EXPECT_EQ(outcome_of(head + std::string(16 * 1024 - 1, 'x') + "\r\n\r\n"), "");
+  EXPECT_EQ(outcome_of(head + std::string(16 * 1024, 'x') + "\r\n\r\n"), "431");
 }
 
 TEST(RequestReader, AsksForTheBodyOnceWhereTheSenderWaits) {
