@@ -44,7 +44,7 @@ soak: test-packages venv
 	cmake --build --preset release -j$(JOBS)
 	ctest --preset release -L '^soak$$'
 	ctest --preset release -L bench-answers
-	SLACKWATER_REQUESTS=1000000 ctest --preset release -V -R 'ReadDoubtfulRequests'
+	SLACKWATER_REQUESTS=300000 ctest --preset release -V -R 'ReadDoubtfulRequests'
 	ctest --preset release -R 'KeptAnswersOfTheDesk|RunApart'  # memory, that sanitizers hide
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
 	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 SLACKWATER_WINDS=50 ctest --preset release -V \

@@ -104,8 +104,9 @@ SiteLines site_lines_of(const Site& site, const LocalFrame& frame) {
       lines.moorings.push_back(std::move(line));
     }
   }
+  const double bed_m = site.water_depth_m.value_or(constants::nan);
   for (const CableRoute& cable : site.cables)
-    lines.cables.push_back(work_cable_of(site, cable, frame, site.water_depth_m.value_or(0)));
+    lines.cables.push_back(work_cable_of(site, cable, frame, bed_m));
   return lines;
 }
 

@@ -15,7 +15,7 @@ struct SiteLines {
   std::vector<MooringLine> moorings;  ///< "TURBINE LINE" by name
 };
 /// As far as the site says enough of them, which a look at it needs not: cables lie at its depth of
-/// water (0 where it has none), lines of turbines without a depth or a foundation are left out.
+/// water (nan where it has none), lines of turbines without a depth or a foundation are left out.
 /// @param frame  whose plane they are laid on
 [[nodiscard]] SiteLines site_lines_of(const Site& site, const LocalFrame& frame);
 

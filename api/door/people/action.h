@@ -8,8 +8,10 @@ namespace slackwater::people {
 
 using Action = store::SessionAction;
 
-/// The row of what somebody looked at who wanted it kept: of the record, and told to nobody.
+/// The row of what somebody looked at who wanted it kept: of the record alone.
 inline constexpr const char* attend_row = "attend";
+/// Whether those who take part are told a row.
+[[nodiscard]] inline bool is_told(const Action& action) { return action.what != attend_row; }
 
 /// What was done in a session, in order. Not thread-safe.
 class ActionRecord {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "api/door/people/told.h"
+#include "api/door/people/rounded.h"
 
 namespace slackwater::people {
 namespace {
@@ -12,12 +12,9 @@ using nlohmann::json;
 
 constexpr std::size_t across = 41;
 constexpr double least_half_m = 200, most_half_m = 10'000, margin_m = 200;
-constexpr double curve_step_m_s = 0.5;
-
-json centimetres(double value_m) { return std::round(value_m * 100) / 100 + 0.0; }
 
 json triple_json(const twin::Triple<double>& ned_m) {
-  return {centimetres(ned_m.y), centimetres(ned_m.x), centimetres(-ned_m.z)};
+  return {rounded(ned_m.y, 0.01), rounded(ned_m.x, 0.01), rounded(-ned_m.z, 0.01)};
 }
 
 /// Half the width of a square about the origin that has all that stands, lies and goes there.
@@ -51,7 +48,7 @@ json bed_json(const RunPlace& place, std::span<const Horizontal> vehicles_m) {
     for (std::size_t column = 0; column < across; ++column) {
       const auto bed = bed_up_m(place.sampler, -half + step_m * static_cast<double>(column),
                                 -half + step_m * static_cast<double>(row));
-      up_m.push_back(bed ? centimetres(*bed) : json(nullptr));
+      up_m.push_back(bed ? rounded(*bed, 0.01) : json(nullptr));
       is_known = is_known || bed;
     }
   if (!is_known) return nullptr;
@@ -68,8 +65,9 @@ json cables_json(const RunPlace& place) {
     json route = json::array();
     for (twin::Triple<double> at_m : cable.route_m) {
       at_m.z = -bed_up_m(place.sampler, at_m.y, at_m.x).value_or(-at_m.z);
-      route.push_back(triple_json(at_m));
+      if (std::isfinite(at_m.z)) route.push_back(triple_json(at_m));
     }
+    if (route.size() < 2) continue;  // nobody knows how deep it lies
     cables.push_back({{"id", cable.id},
                       {"route", route},
                       {"burial_m", cable.burial_m ? json(*cable.burial_m) : json(nullptr)}});
@@ -84,17 +82,6 @@ json moorings_json(const twin::SiteLines& lines) {
                         {"fairlead", triple_json(line.fairlead_m)},
                         {"anchor", triple_json(line.anchor_m)}});
   return moorings;
-}
-
-json curve_json(const Turbine& kind) {
-  json curve = json::array();
-  const auto steps =
-      static_cast<std::size_t>(std::ceil(kind.cut_out_speed_m_s / curve_step_m_s)) + 2;
-  for (std::size_t i = 0; i <= steps; ++i) {
-    const double wind_m_s = curve_step_m_s * static_cast<double>(i);
-    curve.push_back({wind_m_s, std::round(kind.power_w(wind_m_s) / 1e3) * 1e3});
-  }
-  return curve;
 }
 
 }  // namespace slackwater::people

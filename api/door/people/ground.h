@@ -20,7 +20,4 @@ namespace slackwater::people {
 /// [{id, fairlead, anchor}]: the straight way between the ends of each line.
 [[nodiscard]] nlohmann::json moorings_json(const twin::SiteLines& lines);
 
-/// Power against wind of a turbine, [[wind m/s, power W]], from calm to beyond cut-out.
-[[nodiscard]] nlohmann::json curve_json(const Turbine& kind);
-
 }  // namespace slackwater::people

@@ -1,6 +1,4 @@
-/// The page on which a hand before a webcam turns a camera, and the files of its detector.
 #pragma once
-
 #include <array>
 #include <filesystem>
 #include <string_view>
@@ -8,6 +6,8 @@
 #include "api/door/http/router.h"
 
 namespace slackwater::people {
+
+// The page on which a hand before a webcam turns a camera, and the files of its detector.
 
 /// What its page asks for of the npm package @mediapipe/hands 0.4 (Apache-2.0), 13 of its 24 MB.
 inline constexpr std::array<std::string_view, 7> hand_detector_files = {

@@ -1,16 +1,14 @@
 #include "api/door/people/inspected_now.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "api/door/people/rounded.h"
 #include "twin/inspection/inspection_outcome.h"
 
 namespace slackwater::people {
 namespace {
 
 using nlohmann::json;
-
-double rounded(double value, double steps) { return std::round(value * steps) / steps + 0.0; }
 
 /// Of a list of flags, those that are set, as [[first, how many], ...].
 json runs_of(const std::vector<bool>& flags) {
@@ -60,9 +58,9 @@ std::vector<json> InspectedNow::take(const twin::InspectionState& state) {
   for (const twin::Finding& found : twin::inspection_findings(*inspection_, state).findings.found)
     findings.push_back({{"kind", twin::name_of(found.kind)},
                         {"at",
-                         {rounded(found.position_m.y, 100), rounded(found.position_m.x, 100),
-                          rounded(-found.position_m.z, 100)}},
-                        {"size_m", rounded(found.size_m, 1e4)},
+                         {rounded(found.position_m.y, 0.01), rounded(found.position_m.x, 0.01),
+                          rounded(-found.position_m.z, 0.01)}},
+                        {"size_m", rounded(found.size_m, 1e-4)},
                         {"by", found.instrument}});
   if (findings != findings_) {
     findings_ = std::move(findings);
@@ -75,7 +73,7 @@ json InspectedNow::covered_json(std::size_t surface, json runs) const {
   return {{"is", "covered"},
           {"vehicle", vehicle_},
           {"surface", surface},
-          {"seen", rounded(parts_[surface].seen(), 1e4)},
+          {"seen", rounded(parts_[surface].seen(), 1e-4)},
           {"runs", std::move(runs)}};
 }
 
@@ -100,7 +98,7 @@ std::vector<json> InspectedNow::surfaces_json() const {
                    {"name", surface.name},
                    {"kind", twin::name_of(surface.kind)},
                    {"patches", surface.patches.size()},
-                   {"seen", rounded(parts_[s].seen(), 1e4)},
+                   {"seen", rounded(parts_[s].seen(), 1e-4)},
                    {"asked", parts_[s].asked}});
   }
   return all;
@@ -110,7 +108,8 @@ json surface_json(const twin::Surface& surface) {
   json corners = json::array(), triangles = json::array(), patch_of = json::array();
   for (std::size_t i = 0; i < surface.mesh.corners.size(); ++i) {
     const twin::Triple<double> at_m = surface.mesh.corner_m(i);
-    for (const double value_m : {at_m.y, at_m.x, -at_m.z}) corners.push_back(rounded(value_m, 1e3));
+    for (const double value_m : {at_m.y, at_m.x, -at_m.z})
+      corners.push_back(rounded(value_m, 1e-3));
   }
   for (const auto& triangle : surface.mesh.triangles)
     for (const std::uint32_t corner : triangle) triangles.push_back(corner);

@@ -1,5 +1,3 @@
-#include <charconv>
-
 #include "api/door/http/problem.h"
 #include "api/door/people/session.h"
 #include "api/door/people/session_routes.h"
@@ -10,14 +8,6 @@ namespace slackwater::people {
 namespace {
 
 using nlohmann::json;
-
-std::optional<std::size_t> number_in(const std::string& text) {
-  std::size_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, problem] = std::from_chars(text.data(), end, number);
-  if (problem != std::errc() || rest != end) return std::nullopt;
-  return number;
-}
 
 ToldInspection told_of(const InspectedNow& now) {
   return {now.surfaces_json(), now.covered_json(), now.findings_json()};
@@ -62,7 +52,7 @@ void Session::mind_inspections() {
 
 api::http::Response Session::surface(const std::string& vehicle, const std::string& surface,
                                      const std::string& path) const {
-  const auto place = number_in(vehicle), which = number_in(surface);
+  const auto place = number_in_path(vehicle), which = number_in_path(surface);
   std::shared_ptr<const twin::Inspection> inspection;
   std::string there;
   {

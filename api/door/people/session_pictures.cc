@@ -1,7 +1,6 @@
-#include <charconv>
-
 #include "api/door/http/problem.h"
 #include "api/door/people/session.h"
+#include "api/door/people/session_routes.h"
 #include "fields/base/error.h"
 
 // What the cameras of a session's vehicles see.
@@ -23,11 +22,8 @@ void Session::take_picture(const live::SensorPicture& picture) {
 api::http::Response Session::picture(const std::string& vehicle, const std::string& sensor,
                                      const std::string& path) const {
   const std::lock_guard lock(mutex_);
-  std::size_t place = 0;
-  const char* const end = vehicle.data() + vehicle.size();
-  const auto [rest, problem] = std::from_chars(vehicle.data(), end, place);
-  const PictureNow* const now =
-      problem == std::errc() && rest == end ? pictures_.find({place, sensor}) : nullptr;
+  const auto place = number_in_path(vehicle);
+  const PictureNow* const now = place ? pictures_.find({*place, sensor}) : nullptr;
   if (now == nullptr) {
     std::string there;
     for (const auto& [camera, picture] : pictures_.all())

@@ -1,5 +1,7 @@
 #include "api/door/people/session_routes.h"
 
+#include <charconv>
+
 #include "api/door/http/page_part.h"
 #include "api/door/http/problem.h"
 #include "api/door/http/trust.h"
@@ -11,9 +13,36 @@
 namespace slackwater::people {
 
 using api::http::page_part;
+using api::http::PathParameters;
 using api::http::Request;
 using api::http::Response;
 using nlohmann::json;
+
+namespace {
+
+using Find = std::function<std::shared_ptr<Session>(const PathParameters&)>;
+using Answer = std::function<Response(const Session&, const Request&, const PathParameters&)>;
+
+/// For whoever may read the session, by the token.
+api::http::RouteHandler read_by(Find find, Answer answer) {
+  return [find = std::move(find), answer = std::move(answer)](
+             const Request& request, const PathParameters& parameters) -> api::http::Outcome {
+    const auto session = find(parameters);
+    const std::string_view token = api::http::bearer_of(request.authorization);
+    if (auto no = session->refusal_to_read(token, request.path)) return *std::move(no);
+    return answer(*session, request, parameters);
+  };
+}
+
+}  // namespace
+
+std::optional<std::size_t> number_in_path(const std::string& part) {
+  std::size_t number = 0;
+  const char* const end = part.data() + part.size();
+  const auto [rest, problem] = std::from_chars(part.data(), end, number);
+  if (problem != std::errc() || rest != end) return std::nullopt;
+  return number;
+}
 
 Response json_response(const json& body) {
   Response response;
@@ -37,11 +66,13 @@ void add_page_routes(api::http::Router& router) {
 
 void add_routes(api::http::Router& router, const ServedSessions& sessions) {
   using api::http::bearer_of;
-  using api::http::PathParameters;
   add_page_routes(router);
   router.add("GET", "/sessions",
              [list = sessions.list](const Request&) { return json_response(list()); });
   const std::string path = "/sessions/{session}";
+  const auto named = [find = sessions.find](const PathParameters& parameters) {
+    return find(parameters.at("session"));
+  };
   router.add("GET", path + "/check",
              [find = sessions.find](const Request& request, const PathParameters& parameters) {
                const auto session = find(parameters.at("session"));
@@ -51,24 +82,19 @@ void add_routes(api::http::Router& router, const ServedSessions& sessions) {
                response.status = 204;
                return response;
              });
-  router.add(
-      "GET", path + "/actions",
-      [find = sessions.find](const Request& request, const PathParameters& parameters) {
-        const auto session = find(parameters.at("session"));
-        if (auto no = session->refusal_to_read(bearer_of(request.authorization), request.path))
-          return *std::move(no);
-        json rows = json::array();
-        for (const Action& action : session->actions()) rows.push_back(action_json(action));
-        return json_response({{"actions", rows}});
-      });
-  router.add(
-      "GET", path + "/surfaces/{vehicle}/{surface}",
-      [find = sessions.find](const Request& request, const PathParameters& parameters) {
-        const auto session = find(parameters.at("session"));
-        if (auto no = session->refusal_to_read(bearer_of(request.authorization), request.path))
-          return *std::move(no);
-        return session->surface(parameters.at("vehicle"), parameters.at("surface"), request.path);
-      });
+  router.add("GET", path + "/actions",
+             read_by(named, [](const Session& session, const Request&, const PathParameters&) {
+               json rows = json::array();
+               for (const Action& action : session.actions())
+                 if (is_told(action)) rows.push_back(action_json(action));
+               return json_response({{"actions", rows}});
+             }));
+  router.add("GET", path + "/surfaces/{vehicle}/{surface}",
+             read_by(named, [](const Session& session, const Request& request,
+                               const PathParameters& parameters) {
+               return session.surface(parameters.at("vehicle"), parameters.at("surface"),
+                                      request.path);
+             }));
   router.add("GET", path + "/socket",
              [find = sessions.find](const Request& request, const PathParameters& parameters) {
                return api::http::websocket_route(find(parameters.at("session")))(request);
@@ -77,13 +103,12 @@ void add_routes(api::http::Router& router, const ServedSessions& sessions) {
 
 void add_routes(api::http::Router& router, const std::shared_ptr<Session>& session) {
   // Sessions that a server begins have no cameras.
+  const auto the_one = [session](const PathParameters&) { return session; };
   router.add("GET", "/sessions/" + session->id() + "/pictures/{vehicle}/{sensor}",
-             [session](const Request& request, const api::http::PathParameters& parameters) {
-               const std::string_view token = api::http::bearer_of(request.authorization);
-               if (auto no = session->refusal_to_read(token, request.path)) return *std::move(no);
-               return session->picture(parameters.at("vehicle"), parameters.at("sensor"),
-                                       request.path);
-             });
+             read_by(the_one, [](const Session& one, const Request& request,
+                                 const PathParameters& parameters) {
+               return one.picture(parameters.at("vehicle"), parameters.at("sensor"), request.path);
+             }));
   add_routes(router, {[session] {
                         return json{{"sessions", json::array({session->summary()})}};
                       },

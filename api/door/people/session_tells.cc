@@ -90,7 +90,7 @@ void Session::welcome(Station& station, const Seats::Taken& taken) {
   json rows = json::array();
   const auto& all = record_.all();
   for (std::size_t i = all.size(); i-- > 0 && rows.size() < rows_in_welcome;)
-    if (all[i].what != attend_row) rows.push_back(action_json(all[i]));
+    if (is_told(all[i])) rows.push_back(action_json(all[i]));
   std::reverse(rows.begin(), rows.end());
   welcome["vehicles"] = vehicles;
   welcome["helms"] = helms;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "api/door/people/ground.h"
+#include "api/door/people/rounded.h"
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/agent/conduct.h"
@@ -17,11 +17,6 @@ json or_null(double value) { return std::isfinite(value) ? json(value) : json(nu
 template <typename Value>
 json or_null(const std::optional<Value>& value) {
   return value ? json(*value) : json(nullptr);
-}
-
-/// So that what hardly changes is not told again.
-json rounded(double value, double to) {
-  return std::isfinite(value) ? json(std::round(value / to) * to + 0.0) : json(nullptr);
 }
 
 json degrees(double angle_rad) { return rounded(angle_rad / constants::degree, 0.1); }
@@ -142,6 +137,18 @@ json turbines_json(const std::optional<twin::StandingTurbines>& turbines) {
           {"rated_w", turbines->kind->rated_power_w},
           {"curve", curve_json(*turbines->kind)},
           {"places", places}};
+}
+
+json curve_json(const Turbine& kind) {
+  constexpr double curve_step_m_s = 0.5;
+  json curve = json::array();
+  const auto steps =
+      static_cast<std::size_t>(std::ceil(kind.cut_out_speed_m_s / curve_step_m_s)) + 2;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const double wind_m_s = curve_step_m_s * static_cast<double>(i);
+    curve.push_back({wind_m_s, rounded(kind.power_w(wind_m_s), 1e3)});
+  }
+  return curve;
 }
 
 json thrust_json(std::size_t vehicle, const VehicleNow& now) {

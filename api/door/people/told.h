@@ -25,6 +25,8 @@ using api::action_json;
 [[nodiscard]] nlohmann::json water_json(const api::ScenarioWater& water);
 /// Where the turbines of a site stand. Null: it has none.
 [[nodiscard]] nlohmann::json turbines_json(const std::optional<twin::StandingTurbines>& turbines);
+/// Power against wind of a turbine, [[wind m/s, power W]], from calm to beyond cut-out.
+[[nodiscard]] nlohmann::json curve_json(const Turbine& kind);
 /// A tether as it hangs: [east, north, up m] each node.
 [[nodiscard]] nlohmann::json line_json(std::size_t vehicle, const VehicleNow& now);
 /// What its thrusters do.

@@ -3,6 +3,7 @@
 
 #include "api/log/score.h"
 #include "tests/api/door/people/station_for_tests.h"
+#include "tests/support/http_client.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/twin/run/run_for_tests.h"
 
@@ -102,6 +103,12 @@ TEST(PeopleScoreOfASession, HasWhatSomebodyLookedAtWhoWantedItKept) {
     for (const json& is : client->messages)
       EXPECT_TRUE(is["is"] != "action" || is["what"] != "attend") << is;
   attends("rov", "pointer");
+  const HttpReply record = HttpClient(run.port())
+                               .get("/sessions/run/actions",
+                                    "Authorization: Bearer " + run.token(Role::looks_on) + "\r\n")
+                               .value();
+  ASSERT_EQ(record.status, 200);
+  EXPECT_EQ(record.body.find("attend"), std::string::npos) << "nor who asks for the record";
   ann.hang_up();
   bob.listen(300ms);
   const TemporaryFolder folder;

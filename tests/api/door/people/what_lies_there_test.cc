@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "api/door/people/ground.h"
+#include "api/door/people/told.h"
 #include "api/program/paths.h"
 #include "fields/base/constants.h"
 #include "fields/geo/local_frame.h"
@@ -114,6 +114,21 @@ TEST(GroundOfASession, HasCablesAndMooringsAboutItsOrigin) {
   const double north_m = line["anchor"][1].get<double>() - line["fairlead"][1].get<double>();
   EXPECT_NEAR(std::hypot(east_m, north_m), 250 - 6, 0.02) << "from the floater's side";
   EXPECT_NEAR(std::atan2(east_m, north_m) / constants::degree, 120, 0.01);
+}
+
+// A cable of a site that says no depth lies on the run's own bed; nowhere, where that is not known.
+TEST(GroundOfASession, ACableLiesWhereTheBedIsKnown) {
+  Site site = example_farm();
+  site.water_depth_m = std::nullopt;
+  const twin::SiteLines lines = twin::site_lines_of(site, LocalFrame(site.point));
+  ASSERT_EQ(lines.cables.size(), 1U);
+  EXPECT_TRUE(std::isnan(lines.cables[0].route_m[0].z));
+  EXPECT_TRUE(lines.moorings.empty()) << "its floater has no depth of its own";
+  SessionUnderWay::Choice choice;
+  choice.with_water = [&](api::ScenarioWater& water) { water.lines = lines; };
+  SessionUnderWay run(rov_that_holds, std::move(choice));
+  StationClient guest(run, run.token(Role::looks_on));
+  EXPECT_EQ(guest.hello("Gus").at("cables")[0].at("route")[0][2], -40);
 }
 
 TEST(GroundOfASession, AMadeUpRunHasNoneOfASite) {
