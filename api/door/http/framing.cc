@@ -16,6 +16,9 @@ using Head = boost::beast::http::request_header<>;
 
 std::string_view view_of(boost::string_view text) { return {text.data(), text.size()}; }
 
+/// Of what was found, for its sender.
+std::string_view shortened(std::string_view text) { return text.substr(0, 40); }
+
 /// http://host:port, and what comes behind it.
 bool is_absolute(std::string_view target) {
   const std::size_t colon = target.find("://");
@@ -29,19 +32,17 @@ bool is_absolute(std::string_view target) {
 
 std::optional<Refusal> target_fault(const Head& head) {
   const std::string_view target = view_of(head.target());
-  const auto strange = std::find_if_not(target.begin(), target.end(), letters::is_plain);
-  if (strange == target.end()) {
-    if (target.starts_with('/') || target == "*" || is_absolute(target)) return std::nullopt;
-    return Refusal{400, "The target of a request begins with '/', or with a scheme and '://'."};
-  }
-  return Refusal{400, letters::not_plain(*strange)};
+  if (target.starts_with('/') || target == "*" || is_absolute(target)) return std::nullopt;
+  return Refusal{400, formatted("The target of this request is '{}'; it begins with '/', or with "
+                                "a scheme and '://'.",
+                                shortened(target))};
 }
 
 std::optional<Refusal> field_fault(const Head& head, std::size_t field_bytes) {
   for (const auto& one : head)
     if (one.name_string().size() + one.value().size() > field_bytes)
       return Refusal{431, formatted("A field of a header holds at most {} bytes; '{}' has {}.",
-                                    field_bytes, view_of(one.name_string()).substr(0, 40),
+                                    field_bytes, shortened(view_of(one.name_string())),
                                     one.name_string().size() + one.value().size())};
   return std::nullopt;
 }
@@ -60,33 +61,41 @@ std::optional<Refusal> coding_fault(const Head& head) {
       chunked += equal_ignoring_case(item, "chunked") ? 1 : 0;
     });
   if (items > chunked)
-    return Refusal{501, "The only transfer coding that is read here is chunked, alone."};
+    return Refusal{501, formatted("Transfer-Encoding is '{}' here; the only coding that is read "
+                                  "is chunked, alone.",
+                                  shortened(view_of(head[field::transfer_encoding])))};
   const bool is_plain_word =
       head.count(field::transfer_encoding) == 1 &&
       equal_ignoring_case(view_of(head[field::transfer_encoding]), "chunked");
-  if (!is_plain_word) return Refusal{400, "Transfer-Encoding: chunked is said once, and alone."};
+  if (!is_plain_word)
+    return Refusal{400, formatted("Transfer-Encoding is '{}' here, {} times; chunked is said once, "
+                                  "and alone.",
+                                  shortened(view_of(head[field::transfer_encoding])), items)};
   return std::nullopt;
 }
 
 std::optional<Refusal> length_fault(const Head& head) {
   if (head.count(field::content_length) == 0) return std::nullopt;
   if (head.count(field::content_length) > 1)
-    return Refusal{400, "Content-Length is there more than once; send it once."};
+    return Refusal{400, formatted("Content-Length is there {} times; send it once.",
+                                  head.count(field::content_length))};
   const std::string_view length = view_of(head[field::content_length]);
   if (length.empty() || length.find_first_not_of("0123456789") != std::string_view::npos)
-    return Refusal{400, "Content-Length is one whole number, and nothing else."};
+    return Refusal{400, formatted("Content-Length is '{}' here; it is one whole number, and "
+                                  "nothing else.",
+                                  shortened(length))};
   return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Refusal> framing_fault(const Head& head, std::size_t field_bytes) {
+  if (head.method() == verb::connect)
+    return Refusal{501, "This server is no proxy: CONNECT is not served."};
   if (auto fault = target_fault(head)) return fault;
   if (auto fault = field_fault(head, field_bytes)) return fault;
   if (auto fault = length_fault(head)) return fault;
   if (auto fault = coding_fault(head)) return fault;
-  if (head.method() == verb::connect)
-    return Refusal{501, "This server is no proxy: CONNECT is not served."};
   return std::nullopt;
 }
 

@@ -1,8 +1,5 @@
 #pragma once
-#include <string>
 #include <string_view>
-
-#include "fields/base/text.h"
 
 // Only sources of this folder include this.
 
@@ -26,18 +23,6 @@ inline bool is_of_name(char letter) {
 inline bool is_of_host(char letter) {
   return is_letter(letter) || is_digit(letter) ||
          std::string_view("-._~:[]%").find(letter) != std::string_view::npos;
-}
-/// Below 0: it is none.
-inline int hexadecimal(char letter) {
-  if (is_digit(letter)) return letter - '0';
-  const char small = static_cast<char>(letter | 0x20);
-  return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
-}
-
-/// Of a letter of the first line, for its sender.
-inline std::string not_plain(char letter) {
-  return formatted("The first line holds the byte {:#04x}; write it percent-encoded.",
-                   static_cast<unsigned>(static_cast<unsigned char>(letter)));
 }
 
 }  // namespace slackwater::api::http::letters

@@ -3,22 +3,30 @@
 #include <algorithm>
 
 #include "api/door/http/letters.h"
+#include "fields/base/encode/percent.h"
+#include "fields/base/text.h"
 
 namespace slackwater::api::http {
 namespace {
 
-constexpr std::size_t most_digits = 15;  ///< of the size of a chunk
+constexpr std::size_t most_digits = 16;  ///< of the size of a chunk
 constexpr std::size_t most_more = 8192;
 
-Refusal half_an_end(const char* of) {
-  return {400, formatted("A line of {} ends with half an end; lines end with CR LF.", of)};
+/// Of a byte, for its sender.
+std::string shown(char letter) {
+  return formatted("the byte {:#04x}", static_cast<unsigned>(static_cast<unsigned char>(letter)));
+}
+
+Refusal half_an_end(const char* of, char letter) {
+  return {400, formatted("Found {} at the end of a line of {}; lines end with CR LF.",
+                         shown(letter), of)};
 }
 
 }  // namespace
 
 std::optional<Refusal> HeaderLines::take(char letter) {
   const bool begins_line = last_ == '\n';
-  if ((last_ == '\r') != (letter == '\n')) return half_an_end("the header");
+  if ((last_ == '\r') != (letter == '\n')) return half_an_end("the header", letter);
   if (begins_line && has_begun_ && letters::is_space(letter))
     return Refusal{400, "A line of the header begins with a space; each field is one line."};
   is_empty_ = (begins_line && letter == '\r') || (letter == '\n' && is_empty_);
@@ -26,7 +34,8 @@ std::optional<Refusal> HeaderLines::take(char letter) {
   if (is_in_first_ && has_begun_ && letter == '\n') is_in_first_ = false;
   if (is_in_first_ && !letters::is_end_of_line(letter) && letter != ' ' &&
       !letters::is_plain(letter))
-    return Refusal{400, letters::not_plain(letter)};
+    return Refusal{400,
+                   formatted("The first line holds {}; write it percent-encoded.", shown(letter))};
   has_begun_ = has_begun_ || (letter != '\r' && letter != '\n');
   last_ = letter;
   return std::nullopt;
@@ -41,22 +50,24 @@ std::optional<Refusal> HeaderLines::take(std::string_view& bytes) {
 }
 
 std::optional<Refusal> ChunkLines::take_size(char letter) {
-  const int digit = letters::hexadecimal(letter);
+  const int digit = hexadecimal_digit(letter);
   if (digit >= 0) {
-    if (++digits_ > most_digits) return Refusal{413, "A chunk of the body is too large."};
+    if (++digits_ > most_digits)
+      return Refusal{400, formatted("The size of a chunk has {} digits at most.", most_digits)};
     left_ = 16 * left_ + static_cast<std::uint64_t>(digit);
     return std::nullopt;
   }
   if (digits_ == 0 || (letter != ';' && letter != '\r'))
-    return Refusal{400,
-                   "The size of a chunk is letters::hexadecimal digits; then comes ';' or CR LF."};
+    return Refusal{400, formatted("Found {} in the size of a chunk; that is hexadecimal digits, "
+                                  "and then ';' or CR LF.",
+                                  shown(letter))};
   at_ = letter == ';' ? At::extension : At::size_end;
   return std::nullopt;
 }
 
 std::optional<Refusal> ChunkLines::take(char letter) {
   const auto wants = [&](char wanted, At next) -> std::optional<Refusal> {
-    if (letter != wanted) return half_an_end("the body's chunks");
+    if (letter != wanted) return half_an_end("the body's chunks", letter);
     at_ = next;
     return std::nullopt;
   };
@@ -93,12 +104,14 @@ std::optional<Refusal> ChunkLines::take_more(char letter) {
   } else if (at_ == At::line || at_ == At::name) {
     const bool is_end = letter == ':' && at_ == At::name;
     if (!is_end && !letters::is_of_name(letter))
-      return Refusal{400, "A trailer is a name, ':' and a value, on one line."};
+      return Refusal{400, formatted("Found {} in the name of a trailer; that is a name, ':' and a "
+                                    "value, on one line.",
+                                    shown(letter))};
     at_ = is_end ? At::value : At::name;
   } else if (letter == '\r') {
     at_ = at_ == At::extension ? At::size_end : At::line_lf;
   } else if (letter == '\n') {
-    return half_an_end("the body's chunks");
+    return half_an_end("the body's chunks", letter);
   }
   return std::nullopt;
 }

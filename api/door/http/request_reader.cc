@@ -163,9 +163,6 @@ struct RequestReader::Parsing {
     looked_through -= std::min(looked_through, taken);
   }
 
-  /// No more bytes fit, and those there are make nothing: of a line of chunks without an end.
-  [[nodiscard]] bool is_stuck() const { return buffer.size() == buffer.max_size(); }
-
   const Limits& limits;
   beast::flat_buffer buffer;
   std::optional<Parser> parser;
@@ -205,8 +202,6 @@ RequestReader::Progress RequestReader::advance() {
     if (parsing.parser->is_done()) return Progress::complete;
     if (problem) break;
   }
-  if (parsing.is_stuck())
-    return parsing.refuse(400, "A line of this request is longer than all that is read of it.");
   return Progress::needs_more;
 }
 

@@ -5,6 +5,9 @@
 
 namespace slackwater {
 
+/// Of 0-9, a-f, A-F; -1: it is none of them.
+[[nodiscard]] int hexadecimal_digit(char c) noexcept;
+
 /// Decodes %XX once; nothing where a '%' is not followed by two hexadecimal digits.
 [[nodiscard]] std::optional<std::string> percent_decoded(std::string_view text);
 

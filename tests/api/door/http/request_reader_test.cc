@@ -115,7 +115,7 @@ TEST(RequestReader, ALengthThatIsDoubtfulIsRefusedWithItsStatus) {
       {"POST / HTTP/1.1\r\nContent-Length: 5, 5\r\n\r\nhello", "400"},
       {"POST / HTTP/1.1\r\nContent-Length: +5\r\n\r\nhello", "400"},
       {"POST / HTTP/1.0\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n", "400"},
-      {"CONNECT h:80 HTTP/1.1\r\nHost: h\r\n\r\nGET / HTTP/1.1\r\n\r\n", "400"},
+      {"CONNECT h:80 HTTP/1.1\r\nHost: h\r\n\r\nGET / HTTP/1.1\r\n\r\n", "501"},
       {"CONNECT / HTTP/1.1\r\nHost: h\r\n\r\nGET / HTTP/1.1\r\n\r\n", "501"},
       {"GET /\xc3\xa4 HTTP/1.1\r\n", "400"},
       {"GET a HTTP/1.1\r\n\r\n", "400"},
@@ -145,6 +145,7 @@ TEST(RequestReader, ChunksAreReadInOneWayOnly) {
       {"h", "400"},
       {"5\r\nhellox\r\n", "400"},
       {"ffffffffffffffff\r\n", "413"},
+      {"00000000000000005\r\n", "400"},
       {"0\r\nA b\r\n", "400"},
       {"0\r\n\n", "400"},
   };
@@ -152,6 +153,32 @@ TEST(RequestReader, ChunksAreReadInOneWayOnly) {
     for (std::size_t cut = head.size(); cut <= head.size() + 3; ++cut)
       EXPECT_EQ(outcome_of(head + one.body, cut), one.outcome) << one.body << ", cut at " << cut;
   EXPECT_EQ(outcome_of(head + "5;" + std::string(9000, 'x')), "431");
+}
+
+TEST(RequestReader, ARefusalSaysWhatWasFoundAndWhatIsExpected) {
+  const std::string chunked = "POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n";
+  const std::vector<std::pair<std::string, std::string>> all{
+      {"POST / HTTP/1.1\r\nContent-Length: 5x\r\n\r\n",
+       "Content-Length is '5x' here; it is one whole number, and nothing else."},
+      {"POST / HTTP/1.1\r\nContent-Length: 5\r\nContent-Length: 5\r\n\r\n",
+       "Content-Length is there 2 times; send it once."},
+      {"GET here HTTP/1.1\r\n\r\n",
+       "The target of this request is 'here'; it begins with '/', or with a scheme and '://'."},
+      {"GET /\xe4 HTTP/1.1\r\n", "The first line holds the byte 0xe4; write it percent-encoded."},
+      {"GET / HTTP/1.1\r\nA: b\n",
+       "Found the byte 0x0a at the end of a line of the header; lines end with CR LF."},
+      {chunked + "h",
+       "Found the byte 0x68 in the size of a chunk; that is hexadecimal digits, and "
+       "then ';' or CR LF."},
+      {chunked + "0\r\nA b",
+       "Found the byte 0x20 in the name of a trailer; that is a name, ':' and "
+       "a value, on one line."}};
+  for (const auto& [bytes, detail] : all) {
+    const Limits limits;
+    RequestReader reader(limits);
+    ASSERT_EQ(feed(reader, bytes), Progress::refused) << bytes;
+    EXPECT_EQ(reader.refusal().detail, detail);
+  }
 }
 
 // Behind the body a sender may not say who it is, or what it accepts.
