@@ -74,13 +74,13 @@ std::optional<Refusal> coding_fault(const Head& head) {
   return std::nullopt;
 }
 
+/// Beast takes `5, 5` for a number.
 std::optional<Refusal> length_fault(const Head& head) {
-  if (head.count(field::content_length) == 0) return std::nullopt;
-  if (head.count(field::content_length) > 1)
-    return Refusal{400, formatted("Content-Length is there {} times; send it once.",
-                                  head.count(field::content_length))};
+  const std::size_t count = head.count(field::content_length);
+  if (count > 1)
+    return Refusal{400, formatted("Content-Length is there {} times; send it once.", count)};
   const std::string_view length = view_of(head[field::content_length]);
-  if (length.empty() || length.find_first_not_of("0123456789") != std::string_view::npos)
+  if (length.find_first_not_of("0123456789") != std::string_view::npos)
     return Refusal{400, formatted("Content-Length is '{}' here; it is one whole number, and "
                                   "nothing else.",
                                   shortened(length))};

@@ -9,6 +9,7 @@ namespace slackwater::api::http {
 
 // Where a request begins and ends is read in one way only, or not at all: what two readers could
 // take for different requests is refused (RFC 9112 §11.2, request smuggling).
+// Only sources of this folder include this.
 
 /// Of a header that was read: a target that is not plain text, a field that is too long, a length
 /// that is stated twice or in two ways, codings that are unknown or twice there, CONNECT.

@@ -123,6 +123,11 @@ struct RequestReader::Parsing {
     if (problem == error::bad_version) {
       return refuse(505, "This server speaks HTTP/1.1 and HTTP/1.0.");
     }
+    if (problem == error::bad_content_length) {
+      return refuse(400,
+                    "Content-Length is no number here, or is there twice; it is one whole "
+                    "number.");
+    }
     return refuse(400, "This is not an HTTP/1.1 request: " + problem.message() + ".");
   }
 
