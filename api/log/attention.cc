@@ -32,7 +32,9 @@ std::map<unsigned, Attention> attention_of(std::span<const SessionAction> action
   };
   for (const SessionAction& action : actions) {
     const bool is_attending = action.what == "attend" && action.is_taken;
-    if (!is_attending && action.what != "cut_off" && action.what != "leave") continue;
+    const bool is_elsewhere =
+        action.what == "cut_off" || action.what == "come_back" || action.what == "leave";
+    if (!is_attending && !is_elsewhere) continue;
     close(action.seat, action.at);
     if (is_attending && action.why != "off") open[action.seat] = {action.after, action.at};
   }

@@ -14,8 +14,8 @@ struct Attention {
 };
 
 /// By seat, from the `attend` rows of a session's record; whoever had nothing kept is not there. An
-/// object counts until the next row about it, a link that is cut, a seat that is left, or the last
-/// row of all; not where the clock was set back meanwhile.
+/// object counts until the next row about it, a link that is cut, a seat that is left or taken up
+/// again (elsewhere: a reload), or the last row of all; not where the clock was set back meanwhile.
 /// @param actions  in order
 [[nodiscard]] std::map<unsigned, Attention> attention_of(
     std::span<const store::SessionAction> actions);

@@ -4,8 +4,7 @@
 
 #include "api/ask/render/logged_poses.h"
 #include "api/ask/render/seen_run.h"
-#include "api/ask/run/heard_traffic.h"
-#include "api/ask/run/scenario_run.h"
+#include "api/ask/run/logged_water.h"
 #include "api/log/command_tables.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -13,29 +12,10 @@
 namespace slackwater::api {
 namespace {
 
-twin::Scenario scenario_of(const ingest::TrajectoryFile& log, const std::filesystem::path& path) {
-  const std::string yaml = log.attribute("scenario");
-  if (yaml.empty())
-    throw Error(ErrorKind::invalid_input,
-                path.string() +
-                    ": holds no scenario, so that nobody knows what there was to see; "
-                    "give a log that `slackwater simulate` or `live` wrote");
-  return twin::parse_scenario(yaml, path.string() + " (scenario)");
-}
-
 std::vector<twin::Command> view_commands_in(const ingest::TrajectoryFile& log) {
   std::vector<twin::Command> commands = commands_in(log);
   std::erase_if(commands, [](const twin::Command& command) { return !changes_the_view(command); });
   return commands;
-}
-
-/// With the traffic that the log has, as it was heard then.
-ScenarioWater water_in(const ingest::TrajectoryFile& log, const twin::Scenario& scenario,
-                       const std::filesystem::path& store_folder, const RenderChoice& choice) {
-  ScenarioWater water =
-      water_of_log(scenario, log.attribute("forecast_sha256"), store_folder, choice.forecast);
-  add_logged_traffic(log, scenario, water);
-  return water;
 }
 
 }  // namespace
@@ -54,9 +34,9 @@ struct RenderedRun::Parts {
   Parts(const RenderChoice& chosen, const std::filesystem::path& store_folder)
       : choice(chosen),
         log(ingest::read_trajectories(chosen.log)),
-        scenario(scenario_of(log, chosen.log)),
+        scenario(scenario_of_log(log, chosen.log)),
         poses(log),
-        water(water_in(log, scenario, store_folder, chosen)),
+        water(logged_water(log, scenario, store_folder, chosen.forecast)),
         mounted(mounted_sensor(chosen.sensor, 0, chosen.sight, water.surround.data_folder)),
         run(scenario, water.surround, log.names),
         commands(view_commands_in(log)) {

@@ -43,9 +43,9 @@ ScenarioWater of_file(const std::filesystem::path& file) {
 /// what they make is told also where the scenario has no wakes.
 void add_farm(const Scenario& scenario, const Site& site, ScenarioWater& water) {
   water.surround.site = site.point;
-  if (site.turbines.empty()) return;
   const LocalFrame frame(twin::origin_of(scenario, site.point));
   water.lines = twin::site_lines_of(site, frame);
+  if (site.turbines.empty()) return;
   for (const TurbinePlace& turbine : site.turbines) {
     water.surround.turbines_m.push_back(horizontal_of(frame.to_local(turbine.point)));
   }

@@ -24,8 +24,8 @@ double half_m(const RunPlace& place, std::span<const Horizontal> vehicles_m) {
     farthest_m = std::max({farthest_m, std::abs(east_m), std::abs(north_m)});
   };
   for (const Horizontal at_m : vehicles_m) reach(at_m.real(), at_m.imag());
-  if (place.environment.turbines)
-    for (const Horizontal at_m : place.environment.turbines->at_m) reach(at_m.real(), at_m.imag());
+  if (const auto& turbines = place.sampler.environment().turbines)
+    for (const Horizontal at_m : turbines->at_m) reach(at_m.real(), at_m.imag());
   for (const twin::MooringLine& line : place.water.lines.moorings)
     reach(line.anchor_m.y, line.anchor_m.x);
   return std::clamp(farthest_m + margin_m, least_half_m, most_half_m);

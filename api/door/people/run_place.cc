@@ -5,23 +5,22 @@
 
 namespace slackwater::people {
 
-RunPlace run_place(const api::ScenarioWater& water, const twin::Environment& environment,
-                   std::span<const twin::Agent> agents, UtcTime start, GeoPoint origin) {
+RunPlace run_place(const api::ScenarioWater& water, std::span<const twin::Agent> agents,
+                   UtcTime start, GeoPoint origin) {
   const twin::Agent& any = agents.front();
-  return {water, environment, *any.water, any.vessels.get(), start, origin};
+  return {water, *any.water, any.vessels.get(), start, origin};
 }
 
 RunPlace run_place(const api::RunInHand& hand) {
-  return run_place(hand.water, *hand.environment, hand.run.agents(), hand.start, hand.origin);
+  return run_place(hand.water, hand.run.agents(), hand.start, hand.origin);
 }
 
 nlohmann::json place_facts(const RunPlace& place, std::span<const Horizontal> vehicles_m) {
-  return {{"water", water_json(place.water)},
-          {"turbines", turbines_json(place.environment.turbines)},
-          {"sea", sea_json(place.environment.sea.get())},
-          {"bed", bed_json(place, vehicles_m)},
-          {"cables", cables_json(place)},
-          {"moorings", moorings_json(place.water.lines)}};
+  const twin::Environment& environment = place.sampler.environment();
+  return {
+      {"water", water_json(place.water)},       {"turbines", turbines_json(environment.turbines)},
+      {"sea", sea_json(environment.sea.get())}, {"bed", bed_json(place, vehicles_m)},
+      {"cables", cables_json(place)},           {"moorings", moorings_json(place.water.lines)}};
 }
 
 std::vector<Horizontal> places_of(std::span<const twin::AgentState> states) {

@@ -10,15 +10,13 @@ namespace slackwater::people {
 /// it refers to stays as long as the run does.
 struct RunPlace {
   const api::ScenarioWater& water;
-  const twin::Environment& environment;
-  const twin::EnvironmentSampler& sampler;          ///< of that
+  const twin::EnvironmentSampler& sampler;
   const std::vector<twin::TrafficVessel>* vessels;  ///< the traffic; null: none
   UtcTime start;
   GeoPoint origin;
 };
 /// @param agents  at least one
 [[nodiscard]] RunPlace run_place(const api::ScenarioWater& water,
-                                 const twin::Environment& environment,
                                  std::span<const twin::Agent> agents, UtcTime start,
                                  GeoPoint origin);
 [[nodiscard]] RunPlace run_place(const api::RunInHand& hand);

@@ -83,6 +83,7 @@ class Session final : public api::http::WebSocketHandler {
   void look_at_run(const twin::RunControl& control);
   void tell_all(const nlohmann::json& json);
   /// Those who asked to be told briefly, or those who did not.
+  [[nodiscard]] bool has_those(bool is_brief) const;
   void tell_those(bool is_brief, const nlohmann::json& json);
   void tell(Station& station, const nlohmann::json& json);
   void turn_out(Station& station, CloseCode code, const std::string& text);
@@ -136,7 +137,7 @@ class Session final : public api::http::WebSocketHandler {
   nlohmann::json looks_told_ = nlohmann::json::array(), notes_told_ = nlohmann::json::array();
   std::shared_ptr<FarmOutput> farm_;  ///< null: the site has no turbines
   std::optional<FarmNow> farm_now_;
-  /// By vehicle; the first two of the ticker's thread alone.
+  /// By vehicle; once there is a run, the first two are of the ticker's thread alone.
   std::map<std::size_t, std::shared_ptr<const twin::InspectionState>> looks_minded_;
   std::map<std::size_t, std::unique_ptr<InspectedNow>> inspected_;
   std::map<std::size_t, ToldInspection> inspections_;

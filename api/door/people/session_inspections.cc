@@ -1,6 +1,6 @@
 #include "api/door/http/problem.h"
+#include "api/door/people/answers.h"
 #include "api/door/people/session.h"
-#include "api/door/people/session_routes.h"
 
 // What the vehicles of a session inspect, and how far they have come.
 
@@ -15,11 +15,15 @@ ToldInspection told_of(const InspectedNow& now) {
 
 }  // namespace
 
-/// What is inspected is known before anybody has looked. With the lock held.
+/// What is inspected is known before anybody has looked. With the lock held, and before the ticker
+/// knows that there is a run.
 void Session::begin_inspections() {
   const auto& agents = desk_->agents();
   for (std::size_t i = 0; i < agents.size(); ++i)
-    if (agents[i]->inspection) inspections_[i] = told_of(InspectedNow(i, agents[i]->inspection));
+    if (agents[i]->inspection) {
+      inspected_[i] = std::make_unique<InspectedNow>(i, agents[i]->inspection);
+      inspections_[i] = told_of(*inspected_[i]);
+    }
 }
 
 void Session::mind_inspections() {

@@ -1,6 +1,6 @@
 #include "api/door/http/problem.h"
+#include "api/door/people/answers.h"
 #include "api/door/people/session.h"
-#include "api/door/people/session_routes.h"
 #include "fields/base/error.h"
 
 // What the cameras of a session's vehicles see.

@@ -46,6 +46,7 @@ const Action& Session::add_to_record(const Seat& seat, std::string what, const S
 
 /// What somebody looks at who wants it kept: in the record, and told to nobody.
 void Session::attend(Station& station, const StationSays& says) {
+  if (is_over_) return;
   if (!station.deeds.take(clock())) return turn_out(station, CloseCode::too_many, many_deeds);
   const std::string by = says.text("by", 10);
   if (by != "head" && by != "pointer" && by != "off")
@@ -56,7 +57,7 @@ void Session::attend(Station& station, const StationSays& says) {
   said.after = by == "off" ? "" : says.text_or_empty("on", 100);
   said.why = by;
   station.attends_to = said.after;
-  if (!is_over_) add_to_record(*seats_.find(station.seat), attend_row, said, 1);
+  add_to_record(*seats_.find(station.seat), attend_row, said, 1);
   tell(station, {{"is", "answer"}, {"id", says.id()}, {"taken", true}});
 }
 

@@ -1,10 +1,9 @@
 #include "api/door/people/session_routes.h"
 
-#include <charconv>
-
 #include "api/door/http/page_part.h"
 #include "api/door/http/problem.h"
 #include "api/door/http/trust.h"
+#include "api/door/people/answers.h"
 #include "api/door/people/hands_routes.h"
 #include "api/program/paths.h"
 #include "api/web/assets.h"
@@ -35,21 +34,6 @@ api::http::RouteHandler read_by(Find find, Answer answer) {
 }
 
 }  // namespace
-
-std::optional<std::size_t> number_in_path(const std::string& part) {
-  std::size_t number = 0;
-  const char* const end = part.data() + part.size();
-  const auto [rest, problem] = std::from_chars(part.data(), end, number);
-  if (problem != std::errc() || rest != end) return std::nullopt;
-  return number;
-}
-
-Response json_response(const json& body) {
-  Response response;
-  response.media_type = "application/json";
-  response.body = text_of(body);
-  return response;
-}
 
 void add_page_routes(api::http::Router& router) {
   router.add("GET", "/session", [](const Request&) {

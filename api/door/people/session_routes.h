@@ -10,10 +10,6 @@
 
 namespace slackwater::people {
 
-[[nodiscard]] api::http::Response json_response(const nlohmann::json& body);
-/// A part of a path that is a whole number; nothing: it is none.
-[[nodiscard]] std::optional<std::size_t> number_in_path(const std::string& part);
-
 /// The page /session itself and that of hands: of whatever is served beside them.
 void add_page_routes(api::http::Router& router);
 

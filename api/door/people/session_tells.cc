@@ -25,6 +25,12 @@ void Session::tell_all(const json& json) {
   }
 }
 
+bool Session::has_those(bool is_brief) const {
+  return std::any_of(stations_.begin(), stations_.end(), [&](const auto& one) {
+    return one.second.seat != 0 && one.second.flow.is_brief() == is_brief;
+  });
+}
+
 void Session::tell_those(bool is_brief, const json& json) {
   const std::string text = text_of(json);
   for (auto& [socket, station] : stations_) {
@@ -117,6 +123,10 @@ void Session::welcome(Station& station, const Seats::Taken& taken) {
   welcome["pictures"] = pictures_json();
   welcome["traffic"] = now_.around ? traffic_json(*now_.around) : json(nullptr);
   tell(station, welcome);
+  // Of what is told less often than it changes the newcomer has a later state than the others.
+  lines_told_.clear();
+  thrusts_told_.clear();
+  thrust_rows_told_.clear();
 }
 
 void Session::tell_seats() {
@@ -170,6 +180,7 @@ void Session::tell_lines() {
 }
 
 void Session::tell_thrusts() {
+  if (!has_those(false)) return;
   thrusts_told_.resize(now_.vehicles.size());
   for (std::size_t i = 0; i < now_.vehicles.size(); ++i) {
     json thrust = thrust_json(i, now_.vehicles[i]);
@@ -180,6 +191,7 @@ void Session::tell_thrusts() {
 }
 
 void Session::tell_thrusts_briefly() {
+  if (!has_those(true)) return;
   thrust_rows_told_.resize(now_.vehicles.size());
   json rows = json::array();
   for (std::size_t i = 0; i < now_.vehicles.size(); ++i) {

@@ -86,13 +86,16 @@ void look_at_traffic(const std::vector<twin::TrafficVessel>& vessels, double t_s
 
 }  // namespace
 
+twin::SunPosition sun_at(const GeoPoint& origin, UtcTime start, double t_s) {
+  return twin::sun_position(origin, start + Duration(static_cast<Duration::rep>(1000 * t_s)));
+}
+
 Surroundings surroundings_of(const RunPlace& place, double t_s,
                              std::span<const Horizontal> vehicles_m) {
   Surroundings around;
   look_at_weather(place.sampler, t_s, around);
   if (place.vessels != nullptr) look_at_traffic(*place.vessels, t_s, vehicles_m, around);
-  const auto since = Duration(static_cast<Duration::rep>(1000 * t_s));
-  around.sun = twin::sun_position(place.origin, place.start + since);
+  around.sun = sun_at(place.origin, place.start, t_s);
   return around;
 }
 

@@ -40,6 +40,9 @@ struct Surroundings {
   std::size_t vessels_left_out = 0;  ///< farther ones
 };
 
+/// @param t_s  since the start of the run
+[[nodiscard]] twin::SunPosition sun_at(const GeoPoint& origin, UtcTime start, double t_s);
+
 /// Looks round at a time of the run. Costs microseconds, and a copy of each vessel. What is led of
 /// the weather is what the environment has in hand now: of a run that goes on, on its thread, at a
 /// barrier.

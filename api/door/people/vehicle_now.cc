@@ -102,11 +102,8 @@ RunNow RunLook::look() {
       reserve_at_s_ < 0 || now.time_s >= reserve_at_s_ + reserve_every_s - 1e-6;
   if (looks_at_reserve) {
     reserve_at_s_ = now.time_s;
-    std::vector<Horizontal> places_m;
-    for (const twin::Seen& seen : run.seen())
-      places_m.emplace_back(seen.position_m.y, seen.position_m.x);
     around_ = std::make_shared<const Surroundings>(
-        surroundings_of(run_place(hand_), now.time_s, places_m));
+        surroundings_of(run_place(hand_), now.time_s, places_of(states)));
   }
   now.around = around_;
   const auto& alarms = hand_.watch.state().alarms;

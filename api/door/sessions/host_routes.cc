@@ -5,6 +5,7 @@
 #include "api/door/http/field_list.h"
 #include "api/door/http/problem.h"
 #include "api/door/http/trust.h"
+#include "api/door/people/answers.h"
 #include "api/door/people/session_routes.h"
 #include "twin/run/printable.h"
 

@@ -300,6 +300,13 @@ TEST(PeopleScore, AttentionIsAddedUpFromRowToRow) {
   EXPECT_TRUE(json["seats"][0]["attention"]["on"][0]["name"].is_null()) << "nothing with a name";
 }
 
+// A reload takes the seat up at another station, before the first one is seen to be cut off.
+TEST(PeopleScore, AttentionEndsWhereTheSeatIsTakenUpElsewhere) {
+  const Log log({ann.is(0, "join"), attends(ann, 5, "rov", "pointer"), ann.is(15, "come_back"),
+                 bob.is(25, "join")});
+  EXPECT_DOUBLE_EQ(log.scored().people[0].attention->kept_s, 10);
+}
+
 TEST(PeopleScore, AttentionThatIsOpenAtTheEndCountsToTheLastRow) {
   const Log log({ann.is(0, "join"), attends(ann, 5, "rov", "pointer"), bob.is(25, "join")});
   EXPECT_DOUBLE_EQ(log.scored().people[0].attention->on_s.at("rov"), 20);

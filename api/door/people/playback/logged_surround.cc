@@ -1,6 +1,6 @@
 #include "api/door/people/playback/logged_surround.h"
 
-#include "api/ask/run/heard_traffic.h"
+#include "api/ask/run/logged_water.h"
 #include "api/log/command_tables.h"
 #include "fields/base/error.h"
 
@@ -12,19 +12,11 @@ using ingest::TrajectoryFile;
 /// A time is known to be after a step by more than rounding.
 constexpr double rounding_s = 1e-6;
 
-twin::Scenario scenario_of(const TrajectoryFile& log) {
-  const std::string yaml = log.attribute("scenario");
-  if (yaml.empty()) throw Error(ErrorKind::not_found, "the log holds no scenario");
-  return twin::parse_scenario(yaml, "scenario");
-}
-
-/// With the traffic as it was heard then.
+/// Which is asked for its surroundings alone.
 api::ScenarioWater water_of(const TrajectoryFile& log, const twin::Scenario& scenario,
                             const std::filesystem::path& store_folder,
                             const std::optional<std::filesystem::path>& forecast) {
-  api::ScenarioWater water =
-      api::water_of_log(scenario, log.attribute("forecast_sha256"), store_folder, forecast);
-  api::add_logged_traffic(log, scenario, water);
+  api::ScenarioWater water = api::logged_water(log, scenario, store_folder, forecast);
   water.surround.is_only_asked = true;
   return water;
 }
@@ -41,20 +33,23 @@ std::vector<std::pair<double, twin::WeatherAsked>> weather_in(const TrajectoryFi
 
 }  // namespace
 
-LoggedSurround::LoggedSurround(const TrajectoryFile& log, const std::filesystem::path& store_folder,
+LoggedSurround::LoggedSurround(const TrajectoryFile& log, const std::filesystem::path& path,
+                               const std::filesystem::path& store_folder,
                                const std::optional<std::filesystem::path>& forecast)
-    : scenario_(scenario_of(log)),
+    : scenario_(api::scenario_of_log(log, path)),
       water_(water_of(log, scenario_, store_folder, forecast)),
       ready_(twin::set_up(scenario_, water_.surround)),
       asked_(weather_in(log, scenario_.step_s)) {
-  if (ready_.agents.empty()) throw Error(ErrorKind::not_found, "its scenario has no vehicle");
-  if (ready_.environment->turbines) farm_.emplace(*ready_.environment->turbines);
+  if (ready_.agents.empty())
+    throw Error(ErrorKind::invalid_input,
+                path.string() +
+                    ": its scenario has no vehicle; give a log that `slackwater "
+                    "simulate` or `live` wrote");
 }
 
 nlohmann::json LoggedSurround::facts() const {
-  return place_facts(
-      run_place(water_, *ready_.environment, ready_.agents, ready_.start, ready_.origin),
-      places_of(ready_.states));
+  return place_facts(run_place(water_, ready_.agents, ready_.start, ready_.origin),
+                     places_of(ready_.states));
 }
 
 /// What was asked at a step is seen after it.
@@ -73,14 +68,14 @@ void LoggedSurround::lead_weather(double t_s) {
 
 Surroundings LoggedSurround::at(double t_s, std::span<const Horizontal> vehicles_m) {
   lead_weather(t_s);
-  return surroundings_of(
-      run_place(water_, *ready_.environment, ready_.agents, ready_.start, ready_.origin), t_s,
-      vehicles_m);
+  return surroundings_of(run_place(water_, ready_.agents, ready_.start, ready_.origin), t_s,
+                         vehicles_m);
 }
 
-std::optional<FarmNow> LoggedSurround::farm(const Surroundings& around) {
-  if (!farm_ || !around.hub_wind_m_s) return std::nullopt;
-  return farm_->at(*around.hub_wind_m_s);
+std::optional<FarmNow> LoggedSurround::farm(const Surroundings& around) const {
+  const auto& turbines = ready_.environment->turbines;
+  if (!turbines || !around.hub_wind_m_s) return std::nullopt;
+  return FarmOutput(*turbines).at(*around.hub_wind_m_s);  // whoever looked before
 }
 
 FoundSurround find_surround(const std::filesystem::path& log,
@@ -88,8 +83,9 @@ FoundSurround find_surround(const std::filesystem::path& log,
                             const std::optional<std::filesystem::path>& forecast) {
   const TrajectoryFile tracks = ingest::read_trajectories(log);
   try {
-    return {std::make_unique<LoggedSurround>(tracks, store_folder, forecast), {}};
+    return {std::make_unique<LoggedSurround>(tracks, log, store_folder, forecast), {}};
   } catch (const Error& problem) {
+    if (forecast) throw;  // somebody means that it is this one
     return {nullptr, problem.message()};
   }
 }

@@ -19,9 +19,11 @@ namespace slackwater::people {
 /// weather of a moment is led in its own environment.
 class LoggedSurround {
  public:
+  /// @param path      of the log, for errors
   /// @param forecast  where given, this file and not that of the store
   /// @throws Error where the log tells no scenario, or what it needs is gone
-  LoggedSurround(const ingest::TrajectoryFile& log, const std::filesystem::path& store_folder,
+  LoggedSurround(const ingest::TrajectoryFile& log, const std::filesystem::path& path,
+                 const std::filesystem::path& store_folder,
                  const std::optional<std::filesystem::path>& forecast);
   LoggedSurround(const LoggedSurround&) = delete;
   LoggedSurround& operator=(const LoggedSurround&) = delete;
@@ -32,7 +34,7 @@ class LoggedSurround {
   /// @param vehicles_m  where they were: east, north
   [[nodiscard]] Surroundings at(double t_s, std::span<const Horizontal> vehicles_m);
   /// What turbines make of it; nothing: there are none, or no wind.
-  [[nodiscard]] std::optional<FarmNow> farm(const Surroundings& around);
+  [[nodiscard]] std::optional<FarmNow> farm(const Surroundings& around) const;
 
  private:
   void lead_weather(double t_s);
@@ -42,7 +44,6 @@ class LoggedSurround {
   twin::ReadyRun ready_;
   std::vector<std::pair<double, twin::WeatherAsked>> asked_;  ///< by people, and when
   std::size_t led_ = 0;                                       ///< of these, in the environment now
-  std::optional<FarmOutput> farm_;
 };
 
 /// What is to be had of it.
@@ -50,7 +51,7 @@ struct FoundSurround {
   std::unique_ptr<LoggedSurround> surround;  ///< null: nobody knows
   std::string missing;                       ///< why, for people
 };
-/// @throws Error for what is no log
+/// @throws Error for what is no log, and for a `forecast` that is not that of the log
 [[nodiscard]] FoundSurround find_surround(const std::filesystem::path& log,
                                           const std::filesystem::path& store_folder,
                                           const std::optional<std::filesystem::path>& forecast);

@@ -221,7 +221,7 @@ void Playback::show(Viewer& viewer) {
     tell(viewer, told);
   }
   tell_vehicles(viewer, at_s);
-  if (viewer.head.is_at_end(now)) viewer.around_at_s = constants::nan;
+  if (viewer.head.is_playing() && viewer.head.is_at_end(now)) viewer.around_at_s = constants::nan;
   tell_around(viewer, at_s);
   send_frame(viewer, at_s);
   if (viewer.head.is_playing() && viewer.head.is_at_end(now)) viewer.head.pause(now);

@@ -24,7 +24,7 @@ class Playback final : public api::http::WebSocketHandler {
  public:
   static constexpr const char* id = "log";
 
-  explicit Playback(LoggedRun run, FoundSurround found = {});
+  explicit Playback(LoggedRun run, FoundSurround found);
   ~Playback() override;
   /// Tells the stations that it is over, and closes them.
   void end();
@@ -87,7 +87,7 @@ class Playback final : public api::http::WebSocketHandler {
   [[nodiscard]] std::uint64_t number_of_last(std::size_t actions) const;
 
   const LoggedRun run_;
-  const FoundSurround found_;
+  FoundSurround found_;   ///< `at` leads the weather in it
   nlohmann::json facts_;  ///< that never change: of the welcome
   std::chrono::steady_clock::time_point began_;
 

@@ -17,9 +17,12 @@ constexpr Milliseconds around_soonest_ms = 200;  ///< of the clock: at most so o
 
 json Playback::place_facts() const {
   if (found_.surround) return found_.surround->facts();
-  const json water = found_.missing.empty() ? json(nullptr) : json{{"missing", found_.missing}};
-  return {{"water", water}, {"turbines", nullptr},     {"sea", nullptr},
-          {"bed", nullptr}, {"cables", json::array()}, {"moorings", json::array()}};
+  return {{"water", {{"missing", found_.missing}}},
+          {"turbines", nullptr},
+          {"sea", nullptr},
+          {"bed", nullptr},
+          {"cables", json::array()},
+          {"moorings", json::array()}};
 }
 
 /// Who led the weather last by then.
@@ -43,8 +46,7 @@ Playback::Around Playback::around_at(double at_s) {
     farm = found_.surround->farm(around);
   } else if (run_.origin) {
     // Of place and time alone.
-    const auto since = Duration(static_cast<Duration::rep>(1000 * at_s));
-    around.sun = twin::sun_position(*run_.origin, run_.start + since);
+    around.sun = sun_at(*run_.origin, run_.start, at_s);
   } else {
     return {nullptr, nullptr};
   }

@@ -1,4 +1,5 @@
 #include "api/door/people/playback/playback_routes.h"
+#include "api/door/people/answers.h"
 
 #include "api/door/people/session_routes.h"
 #include "api/door/people/told.h"

@@ -45,9 +45,16 @@ bool Moved::look(std::span<const Pose> now, double time_s) {
 }
 
 bool Moved::tell(std::span<const Pose> now) {
-  poses_.clear();
   bits_.clear();
-  if (is_whole_) told_.clear();
+  told_ms_ = now_ms_;
+  if (is_whole_) {
+    step_ms_ = 0;
+    poses_.assign(now.begin(), now.end());
+    told_.clear();
+    for (const CountedPose& pose : now_) told_.push_back({pose, {}});
+    return true;
+  }
+  poses_.clear();
   const std::size_t known = told_.size();
   bits_.put_count(static_cast<std::uint32_t>(known));
   std::uint32_t sum = 2'166'136'261U;
@@ -60,10 +67,8 @@ bool Moved::tell(std::span<const Pose> now) {
     sum = checksum(sum, now_[i]);
   }
   bits_.put(sum >> 16U ^ sum, 16);
-  told_ms_ = now_ms_;
-  step_ms_ = is_whole_ ? 0 : since_ms_;
-  if (is_whole_) bits_.clear();
-  return is_whole_;
+  step_ms_ = since_ms_;
+  return false;
 }
 
 /// Velocity and angles go on as with the last frame; the place goes with the mean velocity from

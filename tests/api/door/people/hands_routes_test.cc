@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
 
 #include "api/door/http/page_part.h"
 #include "tests/support/contains.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
 namespace slackwater::tests::hands_routes_test {
@@ -39,6 +41,14 @@ struct HandsRoutes : testing::Test {
   TemporaryFolder folder;
   Router router;
 };
+
+// The list of what is installed is CMake's own.
+TEST_F(HandsRoutes, WhatIsServedIsInstalled) {
+  std::ifstream file(source_folder() / "cmake" / "SlackwaterInstall.cmake");
+  const std::string install{std::istreambuf_iterator<char>(file), {}};
+  for (const std::string_view name : people::hand_detector_files)
+    EXPECT_TRUE(contains(install, std::string(name))) << name;
+}
 
 TEST_F(HandsRoutes, ServesEachFileOfTheDetectorAsItIs) {
   for (const std::string_view name : people::hand_detector_files) {

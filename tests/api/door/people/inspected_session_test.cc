@@ -122,7 +122,7 @@ TEST(InspectedSession, TellsWhatTheRunHasCoveredAndFound) {
   for (const json& finding : told.findings) {
     EXPECT_EQ(finding["kind"], "corrosion");
     EXPECT_NEAR(std::hypot(finding["at"][0].get<double>(), finding["at"][1].get<double>()), 3, 0.05)
-        << "on the pile";
+        << "on the pile, but for where the vehicle takes itself to be";
     EXPECT_LT(finding["at"][1].get<double>(), 0) << "on its south side";
   }
 }
@@ -162,7 +162,10 @@ TEST(InspectedSession, GivesTheSurfaceForDrawing) {
       EXPECT_GE(at.z, -16.001);
     }
   }
-  EXPECT_NEAR(six_volumes_m3 / 6, 3.14159 * 9 * 12, 5);
+  // Its corners lie on the circle: of a polygon of n sides sin(2 pi/n)/(2 pi/n) of it is enclosed,
+  // 0.988 of it with 24 of them.
+  EXPECT_LE(six_volumes_m3 / 6, 3.14159 * 9 * 12);
+  EXPECT_GE(six_volumes_m3 / 6, 0.988 * 3.14159 * 9 * 12);
   for (const json& patch : surface["patch_of"])
     EXPECT_LT(patch.get<long>(), static_cast<long>(inspection->surfaces[0].patches.size()));
   EXPECT_EQ(get("0/0", "wrong").status, 401);

@@ -151,7 +151,7 @@ class Fleet {
   std::mt19937 random_;
 };
 
-TEST(Moved, IsWithinHalfAStepOfEachNumberOverAnHourAndSmall) {
+TEST(Moved, IsWithinHalfAStepOfEachNumberOverAnHour) {
   Fleet fleet(4, 37);
   Told told;
   for (int i = 0; i < 72'000; ++i) {

@@ -26,7 +26,8 @@ struct Watched {
     ingest::write_trajectories(tracks, file);
     log = ingest::read_trajectories(file);
     playback =
-        std::make_shared<people::Playback>(people::read_logged_run(file, source_folder() / "data"));
+        std::make_shared<people::Playback>(people::read_logged_run(file, source_folder() / "data"),
+                                           people::find_surround(file, folder / "store", {}));
     api::http::Router router;
     people::add_routes(router, playback);
     api::http::ServerOptions options;
