@@ -12,6 +12,7 @@ import {
 } from 'three';
 import { bed_at, level_beyond_m, type Bed } from '../session/bed';
 import type { Session } from '../session/state';
+import { around, up_beyond } from './bed_edge';
 
 const REACH_M = 20_000; // of what is level beyond a grid
 const SHOWN_SLOPE = 0.5; // what a steep part of it is shaded as, however level it is
@@ -53,20 +54,8 @@ export function shades_of(bed: Bed): number[] {
   });
 }
 
-/** Places along the edge of a grid, against the clock from its south-western corner. */
-function around(across: number): number[] {
-  const last = across - 1;
-  const made: number[] = [];
-  for (let i = 0; i < last; i += 1) made.push(i);
-  for (let i = 0; i < last; i += 1) made.push(i * across + last);
-  for (let i = last; i > 0; i -= 1) made.push(last * across + i);
-  for (let i = last; i > 0; i -= 1) made.push(i * across);
-  return made;
-}
-
-export function relief_of(bed: Bed): BufferGeometry {
+export function relief_of(bed: Bed, beyond_m: number): BufferGeometry {
   const { across, step_m, up_m } = bed;
-  const beyond_m = level_beyond_m(bed);
   const half_m = ((across - 1) * step_m) / 2;
   const [middle_x, middle_z] = [bed.east_m + half_m, -(bed.north_m + half_m)];
   const places: number[] = [];
@@ -113,6 +102,7 @@ export function relief_of(bed: Bed): BufferGeometry {
 export class BedView {
   readonly group = new Group();
   private grid: Bed | null = null;
+  private beyond_m = 0; // the level beyond the grid
   private level_m: number | null = null;
   private readonly level = new Mesh(new PlaneGeometry(6000, 6000), new MeshBasicMaterial());
   private readonly relief = new Mesh(
@@ -125,6 +115,11 @@ export class BedView {
     this.group.add(this.level, this.relief);
   }
 
+  /** The grid that is drawn; nothing: none is. */
+  get of(): Bed | null {
+    return this.grid;
+  }
+
   /** Of what is drawn; nothing: no bed is drawn there. */
   up_at(east_m: number, north_m: number): number | null {
     const { grid } = this;
@@ -132,7 +127,9 @@ export class BedView {
     const reach_m = (grid.across - 1) * grid.step_m;
     const [right, up] = [east_m - grid.east_m, north_m - grid.north_m];
     const is_within = right >= 0 && up >= 0 && right <= reach_m && up <= reach_m;
-    return is_within ? bed_at(grid, east_m, north_m) : level_beyond_m(grid);
+    return is_within
+      ? bed_at(grid, east_m, north_m)
+      : up_beyond(grid, this.beyond_m, east_m, north_m);
   }
 
   /** What of it is drawn. */
@@ -140,15 +137,21 @@ export class BedView {
     return [this.level, this.relief].filter((it) => it.visible);
   }
 
-  show(session: Session, eye: Vector3, colour: Color): void {
+  /** What is told of it, before anything is laid on it. */
+  take(session: Session): void {
     if (session.bed !== this.grid) {
       this.grid = session.bed;
+      this.beyond_m = this.grid === null ? 0 : level_beyond_m(this.grid);
       this.relief.geometry.dispose();
-      this.relief.geometry = this.grid === null ? new BufferGeometry() : relief_of(this.grid);
+      this.relief.geometry =
+        this.grid === null ? new BufferGeometry() : relief_of(this.grid, this.beyond_m);
     }
     this.level_m = this.grid === null ? level_of(session) : null;
     this.relief.visible = this.grid !== null;
     this.level.visible = this.level_m !== null;
+  }
+
+  show(eye: Vector3, colour: Color): void {
     this.level.position.set(eye.x, this.level_m ?? 0, eye.z);
     this.level.material.color.copy(colour);
     this.relief.material.color.copy(colour);

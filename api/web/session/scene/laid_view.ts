@@ -48,7 +48,7 @@ export class LaidView {
   private readonly moorings: Strands;
   private readonly anchor_paint = new MeshBasicMaterial();
   private readonly anchors: Instances;
-  private of: { cables: Cable[]; moorings: Mooring[]; bed: Session['bed'] } | null = null;
+  private of: { cables: Cable[]; moorings: Mooring[]; bed: BedView['of'] } | null = null;
 
   constructor(scene: Scene) {
     this.cables = new Strands(scene);
@@ -60,7 +60,7 @@ export class LaidView {
   show(session: Session, bed: BedView, { eye }: Lens, paint: Colours): void {
     const { cables, moorings } = session;
     const is_new = this.of?.cables !== cables || this.of.moorings !== moorings;
-    if (is_new || this.of?.bed !== session.bed) this.lay(session, bed);
+    if (is_new || this.of?.bed !== bed.of) this.lay(session, bed);
     this.cables.show(eye, paint.ink);
     this.moorings.show(eye, paint.quiet);
     this.anchor_paint.color.set(paint.quiet);
@@ -75,8 +75,8 @@ export class LaidView {
 
   private lay(session: Session, bed: BedView): void {
     const { cables, moorings } = session;
-    this.of = { cables, moorings, bed: session.bed };
-    const every_m = session.bed === null ? Infinity : session.bed.step_m / 2;
+    this.of = { cables, moorings, bed: bed.of };
+    const every_m = bed.of === null ? Infinity : bed.of.step_m / 2;
     this.cables.lay(
       cables.map((cable) => ({
         through: laid_on(bed, cable.route, every_m).map(at_place),

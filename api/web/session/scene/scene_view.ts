@@ -162,6 +162,7 @@ export class SceneView {
       this.eye.come_within(0.5 * seen_in_water_m(session.weather));
     this.chosen_before = chosen;
     this.eye.place(pose, pointing, vehicle?.length_m ?? 1);
+    this.surround.bed.take(session); // what is laid on it comes after
     place_draft(this.kept, draft, this.surround.bed, colours());
     const { camera } = visitor ?? this.eye;
     const from = visitor?.eye() ?? camera.position;

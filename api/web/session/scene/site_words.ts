@@ -17,8 +17,13 @@ function wind_words(session: Session): string[] {
 
 function bed_words({ bed }: Session): string[] {
   if (bed === null) return [];
-  const known = bed.up_m.filter((it) => it !== null);
-  const [deepest, highest] = [Math.min(...known), Math.max(...known)].map(level_text);
+  let [deepest_m, highest_m] = [Infinity, -Infinity];
+  for (const up_m of bed.up_m) {
+    if (up_m === null) continue;
+    deepest_m = Math.min(deepest_m, up_m);
+    highest_m = Math.max(highest_m, up_m);
+  }
+  const [deepest, highest] = [deepest_m, highest_m].map(level_text);
   const levels = deepest === highest ? deepest : `${deepest} to ${highest}`;
   const across = metres_text((bed.across - 1) * bed.step_m);
   const holes = holes_in(bed);

@@ -37,8 +37,8 @@ export class Surround {
   }
 
   /**
-   * `in_headset`: there is a picture for each eye. `is_table`: it is seen from far above as things
-   * on a table, with nothing all about.
+   * After the bed has taken what is told of it. `in_headset`: there is a picture for each eye.
+   * `is_table`: it is seen from far above as things on a table, with nothing all about.
    */
   show(session: Session, eye: Vector3, in_headset = false, is_table = false): void {
     this.water.draw_for_two_eyes(in_headset);
@@ -69,7 +69,7 @@ export class Surround {
     this.all_sides.intensity = UNKNOWN_BY_DAY * daylight.light;
     this.water.paint(water, daylight.zenith.clone().lerp(daylight.horizon, 0.5));
     this.bed.group.visible = true;
-    this.bed.show(session, eye, lit(new Color(bed), left).multiplyScalar(daylight.light));
+    this.bed.show(eye, lit(new Color(bed), left).multiplyScalar(daylight.light));
     if (is_table) this.show_on_table();
   }
 

@@ -1,7 +1,7 @@
 // The bed of the run's site on a square grid, where somebody knows it.
 import { as_list, as_number, as_object } from './message';
 
-const MOST_ACROSS = 400;
+const MOST_ACROSS = 200; // a server tells 41
 
 export interface Bed {
   east_m: number; // of its south-western corner

@@ -18,6 +18,7 @@ test('a bed is a whole grid or none', () => {
     { across: 3 },
     { across: 1.5 },
     { across: 1e9 },
+    { across: 201, up_m: new Array<number>(201 * 201).fill(-1) },
     { step_m: 0 },
     { step_m: -1 },
     { east_m: null },

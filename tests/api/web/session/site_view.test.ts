@@ -4,14 +4,23 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { PerspectiveCamera, Raycaster, Scene, Vector3, type InstancedMesh, type Mesh } from 'three';
+import {
+  LineSegments,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Vector3,
+  type InstancedMesh,
+  type Mesh,
+} from 'three';
+import type { Colours } from 'page/look/palette';
 import { BedView, relief_of, shades_of } from 'page/scene/bed_view';
 import { seen_px } from 'page/scene/detail';
 import { Foundations } from 'page/scene/foundations';
 import { InspectedView, LEAST_SHADE } from 'page/scene/inspected_view';
 import { Instances } from 'page/scene/instances';
 import { jet_of } from 'page/scene/jets';
-import { laid_on } from 'page/scene/laid_view';
+import { LaidView, laid_on } from 'page/scene/laid_view';
 import { ALL_LAYERS, has_layer } from 'page/scene/layers';
 import { finding_text, site_names } from 'page/scene/site_names';
 import { site_in_words } from 'page/scene/site_words';
@@ -28,6 +37,8 @@ const near = (found: Vector3, expected: readonly number[], within = 1e-9): void 
   assert.ok(off < within, `${found.toArray().join(' ')} is not ${expected.join(' ')}`);
 };
 
+const PAINT = { ink: '#000000', quiet: '#777777' } as Colours;
+
 const hill = (east_m: number, north_m: number): number =>
   -30 + 6 * Math.exp(-(east_m ** 2 + north_m ** 2) / 5000);
 function hilly(across = 9, step_m = 25): Bed {
@@ -43,7 +54,7 @@ test('the bed is drawn where it is: a plumb line meets it at its height, level b
   const view = new BedView();
   const session = empty_session();
   session.bed = bed;
-  view.show(session, new Vector3(), new Color('#ffffff'));
+  view.take(session);
   view.group.updateMatrixWorld(true);
   for (const [east_m, north_m] of [
     [1, 2],
@@ -52,6 +63,15 @@ test('the bed is drawn where it is: a plumb line meets it at its height, level b
     [61.5, 2],
     [400, 310],
     [-9000, 70],
+    // Over the slope to it, one step wide: sides, corners, and close to their ends.
+    [3, -112],
+    [113, 31],
+    [-52, 109],
+    [-124, -7],
+    [103, 104],
+    [-120, 111],
+    [101, -124.5],
+    [-124, -123.9],
   ] as const) {
     const ray = new Raycaster(new Vector3(east_m, 100, -north_m), new Vector3(0, -1, 0));
     const hits = ray.intersectObject(view.group, true).filter((it) => it.object.visible);
@@ -62,22 +82,47 @@ test('the bed is drawn where it is: a plumb line meets it at its height, level b
   assert.ok(view.up_at(5000, 0)! < -29.5);
 });
 
+test('beside a hole at the edge the slope has one, too, where it is drawn so', () => {
+  const bed = hilly();
+  bed.up_m[8 * 9 + 3] = bed.up_m[3 * 9 + 8] = null; // of the northern and the eastern edge
+  const view = new BedView();
+  const session = empty_session();
+  session.bed = bed;
+  view.take(session);
+  view.group.updateMatrixWorld(true);
+  let holes = 0;
+  for (let along_m = -110.3; along_m < 110; along_m += 3.7)
+    for (const [east_m, north_m] of [
+      [along_m, 113.1],
+      [113.1, along_m],
+    ] as const) {
+      const ray = new Raycaster(new Vector3(east_m, 100, -north_m), new Vector3(0, -1, 0));
+      const [hit] = ray.intersectObjects(view.ground());
+      const up_m = view.up_at(east_m, north_m);
+      if (hit === undefined) {
+        holes += 1;
+        assert.equal(up_m, null);
+      } else assert.ok(Math.abs(hit.point.y - up_m!) < 1e-3, `${east_m} ${north_m}`);
+    }
+  assert.ok(holes > 10);
+});
+
 test('what nobody knows is a hole, and a bed without a grid is level', () => {
   const bed = hilly(5);
   bed.up_m[2 * 5 + 2] = null; // the middle
   const view = new BedView();
   const session = empty_session();
   session.bed = bed;
-  view.show(session, new Vector3(), new Color('#ffffff'));
+  view.take(session);
   view.group.updateMatrixWorld(true);
   const ray = new Raycaster(new Vector3(1, 100, -1), new Vector3(0, -1, 0));
   const hits = ray.intersectObject(view.group, true).filter((it) => it.object.visible);
   assert.equal(hits.length, 0);
   assert.equal(view.up_at(1, 1), null);
-  assert.equal(relief_of(bed).index!.count, 3 * (2 * 16 - 6 + 4 * 16));
+  assert.equal(relief_of(bed, -30).index!.count, 3 * (2 * 16 - 6 + 4 * 16));
   session.bed = null;
   session.poses.set(0, pose_with({ up_m: -5, bed_m: 20 }));
-  view.show(session, new Vector3(), new Color('#ffffff'));
+  view.take(session);
   assert.equal(view.up_at(123, 456), -25);
 });
 
@@ -101,6 +146,33 @@ test('a cable lies on the bed that is drawn, also between its places', () => {
   // What is told higher stays higher; where no bed is drawn it is as told.
   assert.ok(laid_on({ up_at: () => -30 }, [{ east_m: 0, north_m: 0, up_m: -8 }], 1)[0]!.up_m > -8);
   assert.ok(laid_on({ up_at: () => null }, [{ east_m: 0, north_m: 0, up_m: -8 }], 1)[0]!.up_m > -8);
+});
+
+test('a cable lies on the bed of its session from the first picture on', () => {
+  const [scene, bed] = [new Scene(), new BedView()];
+  const laid = new LaidView(scene);
+  const session = empty_session();
+  const lens = { eye: new Vector3(), field_deg: 55, high_px: 400 };
+  const lowest_over_m = (): number => {
+    bed.take(session);
+    laid.show(session, bed, lens, PAINT);
+    const lines = scene.children[0]!.children.find((it) => it instanceof LineSegments);
+    const places = (lines as LineSegments).geometry.getAttribute('position');
+    const over = Array.from({ length: places.count }, (_, i) => {
+      return places.getY(i) - bed_at(session.bed!, places.getX(i), -places.getZ(i))!;
+    });
+    return Math.min(...over);
+  };
+  const ends = [-80, 80].map((east_m) => ({ east_m, north_m: 3, up_m: -32 }));
+  session.cables = [{ id: 'c', route: ends, burial_m: 0 }];
+  session.bed = hilly();
+  assert.ok(lowest_over_m() > 0.1);
+  session.bed = hilly(17, 12.5); // another one
+  assert.ok(lowest_over_m() > 0.1);
+  // Whoever asks too early lays it anew as soon as its bed is there.
+  const early = new BedView();
+  laid.show(session, early, lens, PAINT);
+  assert.ok(lowest_over_m() > 0.1);
 });
 
 test('rods are laid near the eye alone, dashes where it is buried', () => {
