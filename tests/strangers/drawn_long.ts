@@ -152,7 +152,7 @@ function draw(nth: number): void {
   view.shows_wakes = nth % 2 === 1;
   const last = session.pictures.get('0 camera');
   seen.width = 64 + (nth % 2);
-  view.site.picture = last === undefined ? null : { of: last, canvas: seen };
+  view.site.picture = last === undefined ? null : { of: last, canvas: seen, is_old: false };
   const way = many(nth % 8, (i) => ({ east_m: i, north_m: nth % 9, up_m: -5, speed_m_s: null }));
   const draft = nth % 3 === 0 ? null : { places: way, picked: 0, is_refused: false, is_loop: true };
   view.draw({ session, tracks, chosen: nth % 3 === 1 ? 1 : 0, draft });

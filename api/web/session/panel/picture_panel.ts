@@ -3,12 +3,13 @@
 import { choice, element, set_hidden, set_text } from '../../look/element';
 import type { LastPicture } from '../scene/picture_view';
 import type { Picture } from '../session/message';
+import type { Session } from '../session/state';
 import type { Panel, Station } from '../station';
 
 const IS_OLD_MS = 5000;
 
 export interface PicturePanel extends Panel {
-  /** What is drawn in it; null: nothing yet. */
+  /** What is drawn in it; null: nothing yet of this session and vehicle. */
   last(): LastPicture | null;
 }
 
@@ -29,19 +30,37 @@ export function picture_panel(station: Station): PicturePanel {
   let drawn: Picture | null = null;
   let late_ms = Number.NaN; // what is drawn came so long after its moment
   let is_asking = false;
+  // Each welcome brings others: it may be another session, or a server that began again.
+  let told: Session['pictures'] | null = null;
+
+  const forget = (): void => {
+    listed = '';
+    drawn = null;
+  };
+  const is_drawn = (it: Picture): boolean =>
+    drawn !== null &&
+    drawn.number === it.number &&
+    drawn.at === it.at &&
+    drawn.vehicle === it.vehicle;
+  const age_ms = (it: Picture): number => station.clock_ms() - it.at;
 
   const fetch_it = async (wanted: Picture): Promise<void> => {
     is_asking = true;
+    const { pictures } = station.session;
     try {
       const blob = await station.wire.picture(wanted.vehicle, wanted.sensor);
       const bitmap = blob === null ? null : await createImageBitmap(blob);
-      if (bitmap === null || station.chosen !== wanted.vehicle || sensor !== wanted.sensor) return;
+      const is_wanted =
+        station.session.pictures === pictures &&
+        station.chosen === wanted.vehicle &&
+        sensor === wanted.sensor;
+      if (bitmap === null || !is_wanted) return;
       canvas.width = bitmap.width;
       canvas.height = bitmap.height;
       canvas.getContext('2d')?.drawImage(bitmap, 0, 0);
       bitmap.close();
       drawn = wanted;
-      late_ms = station.clock_ms() - wanted.at;
+      late_ms = age_ms(wanted);
     } catch {
       // No picture; the next one is asked for.
     } finally {
@@ -70,9 +89,14 @@ export function picture_panel(station: Station): PicturePanel {
 
   const show = (): void => {
     const { session, chosen } = station;
+    if (session.pictures !== told) forget();
+    told = session.pictures;
     const of_vehicle = [...session.pictures.values()].filter((it) => it.vehicle === chosen);
     set_hidden(box, of_vehicle.length === 0);
-    if (of_vehicle.length === 0) return;
+    if (of_vehicle.length === 0) {
+      forget();
+      return;
+    }
     list_cameras(of_vehicle);
     const last = of_vehicle.find((it) => it.sensor === sensor);
     if (last === undefined) return;
@@ -81,14 +105,17 @@ export function picture_panel(station: Station): PicturePanel {
       'aria-label',
       `What ${words_of(sensor)} of ${station.chosen_name()} sees`,
     );
-    const is_drawn =
-      drawn !== null && drawn.number === last.number && drawn.vehicle === last.vehicle;
-    if (!is_drawn && !is_asking) void fetch_it(last);
-    const age_ms = station.clock_ms() - (drawn?.at ?? last.at);
-    note.classList.toggle('alarm', age_ms > IS_OLD_MS);
-    set_text(note, picture_text(drawn, late_ms, age_ms));
+    if (!is_drawn(last) && !is_asking) void fetch_it(last);
+    const shown_age_ms = age_ms(drawn ?? last);
+    note.classList.toggle('alarm', shown_age_ms > IS_OLD_MS);
+    set_text(note, picture_text(drawn, late_ms, shown_age_ms));
   };
-  return { box, show, last: () => drawn && { of: drawn, canvas } };
+  const last = (): LastPicture | null => {
+    const { pictures } = station.session;
+    if (drawn === null || pictures !== told || drawn.vehicle !== station.chosen) return null;
+    return { of: drawn, canvas, is_old: age_ms(drawn) > IS_OLD_MS };
+  };
+  return { box, show, last };
 }
 
 export function picture_text(drawn: Picture | null, late_ms: number, age_ms: number): string {

@@ -17,9 +17,11 @@ import { camera_corners } from './marks';
 export interface LastPicture {
   of: Picture;
   canvas: HTMLCanvasElement;
+  is_old: boolean; // the vehicle may have gone on since
 }
 
-const key_of = ({ of }: LastPicture): string => `${of.vehicle} ${of.sensor} ${of.number}`;
+// By its moment, too: another session counts its pictures anew.
+const key_of = ({ of }: LastPicture): string => `${of.vehicle} ${of.sensor} ${of.number} ${of.at}`;
 
 export function aspect_of({ canvas }: LastPicture): number {
   return canvas.width / Math.max(1, canvas.height);

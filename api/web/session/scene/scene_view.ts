@@ -173,8 +173,8 @@ export class SceneView {
     this.place_things(session, tracks, chosen, lens);
     this.place_farm(session);
     this.site.show(session, lens, this.surround.bed, this.layers);
-    const is_seen = this.layers.picture && this.eye.stand !== 'on_board';
-    this.site.show_picture(is_seen ? (pose ?? null) : null, session);
+    const is_beside = this.eye.stand !== 'on_board';
+    this.site.show_picture(is_beside ? (pose ?? null) : null, session, this.layers);
     this.place_flow(session, pose ?? null);
     this.surround.show(session, from, visitor !== null, visitor?.is_table ?? false);
     const names = names_in(session, chosen, from, this.approaches);

@@ -58,12 +58,13 @@ export class SiteView {
     else this.wind.hide();
   }
 
-  /** At the far end of what the camera of a vehicle sees, if there is one of it. */
-  show_picture(pose: Pose | null, session: Session): void {
+  /** At the far end of what the camera of a vehicle sees, if there is one of it, and of now. */
+  show_picture(pose: Pose | null, session: Session, layers: Layers): void {
     const { picture } = this;
     const pointing = pose === null ? null : session.statuses.get(pose.vehicle)?.camera;
-    const is_of_it = pose !== null && picture?.of.vehicle === pose.vehicle;
-    if (is_of_it && picture !== null && pointing != null) this.pane.show(pose, pointing, picture);
+    const is_shown =
+      layers.picture && picture !== null && !picture.is_old && picture.of.vehicle === pose?.vehicle;
+    if (is_shown && pose !== null && pointing != null) this.pane.show(pose, pointing, picture);
     else this.pane.hide();
   }
 

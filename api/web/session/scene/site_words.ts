@@ -83,7 +83,7 @@ function inspected_words(session: Session): string[] {
 function picture_words(session: Session): string[] {
   return [...session.pictures.values()].map(({ vehicle, sensor, time_s }) => {
     const of = `${sensor.replaceAll('_', ' ')} of ${vehicle_name(session, vehicle)}`;
-    return `What ${of} saw at ${time_s.toFixed(1)} s of the run is at the end of its view.`;
+    return `The last picture of ${of} was taken at ${time_s.toFixed(1)} s of the run.`;
   });
 }
 

@@ -5,11 +5,15 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import {
+  BoxGeometry,
+  Color,
   LineSegments,
+  MeshBasicMaterial,
   PerspectiveCamera,
   Raycaster,
   Scene,
   Vector3,
+  type BufferGeometry,
   type InstancedMesh,
   type Mesh,
 } from 'three';
@@ -23,13 +27,14 @@ import { jet_of } from 'page/scene/jets';
 import { LaidView, laid_on } from 'page/scene/laid_view';
 import { ALL_LAYERS, has_layer } from 'page/scene/layers';
 import { finding_text, site_names } from 'page/scene/site_names';
+import { SiteView } from 'page/scene/site_view';
 import { site_in_words } from 'page/scene/site_words';
 import { pieces_near } from 'page/scene/strands';
 import { wind_of, wind_tips } from 'page/scene/wind_view';
+import type { Pose } from 'page/session/frame';
 import { bed_at, read_bed, type Bed } from 'page/session/bed';
 import { read_surface_mesh } from 'page/session/surface_mesh';
 import { empty_session, tell } from 'page/session/state';
-import { BoxGeometry, Color, MeshBasicMaterial } from 'three';
 import { pose_with } from './pose_for_tests';
 
 const near = (found: Vector3, expected: readonly number[], within = 1e-9): void => {
@@ -384,10 +389,44 @@ test('surfaces and the nearest findings have names, and all of it is told in wor
     'rov inspects plate (bed): 50 % covered of 90 % asked.',
     'rov found: crack 12 cm, 30.0 m deep, by rov_camera.',
     'rov found: marine growth, 30.0 m deep.',
-    'What rov camera of rov saw at 12.3 s of the run is at the end of its view.',
+    'The last picture of rov camera of rov was taken at 12.3 s of the run.',
   ]);
   assert.equal(finding_text({ ...session.findings.get(0)![0]!, size_m: 0.004 }), 'crack 0.4 cm');
   assert.equal(finding_text({ ...session.findings.get(0)![0]!, size_m: 2 }), 'crack 2.0 m');
+});
+
+test('the picture of a camera is in its view while it is of now, and of its vehicle', () => {
+  const scene = new Scene();
+  const site = new SiteView(scene);
+  const session = empty_session();
+  tell(session, {
+    is: 'welcome',
+    vehicles: [{ vehicle: 0, name: 'rov' }],
+    status: [{ vehicle: 0, camera: { pan_deg: 0 } }],
+    pictures: [{ vehicle: 0, sensor: 'rov_camera', number: 4, at: 9 }],
+  });
+  const pane = scene.children.at(-1) as Mesh<BufferGeometry, MeshBasicMaterial>;
+  const [of] = session.pictures.values();
+  const canvas = { width: 64, height: 36 } as HTMLCanvasElement;
+  const is_shown = (layers = ALL_LAYERS, pose: Pose | null = pose_with({})): boolean => {
+    site.show_picture(pose, session, layers);
+    return pane.visible;
+  };
+  assert.equal(is_shown(), false, 'there is none');
+  site.picture = { of: of!, canvas, is_old: false };
+  assert.equal(is_shown(), true);
+  assert.equal(is_shown({ ...ALL_LAYERS, picture: false }), false);
+  assert.equal(is_shown(ALL_LAYERS, pose_with({ vehicle: 1 })), false);
+  assert.equal(is_shown(ALL_LAYERS, null), false);
+  const before = pane.material.map;
+  assert.equal(is_shown(), true);
+  assert.equal(pane.material.map, before);
+  site.picture = { of: of!, canvas, is_old: true };
+  assert.equal(is_shown(), false);
+  // Of the same number, in another session.
+  site.picture = { of: { ...of!, at: 5 }, canvas, is_old: false };
+  assert.equal(is_shown(), true);
+  assert.notEqual(pane.material.map, before);
 });
 
 test('a layer is offered where there is something to show', () => {
