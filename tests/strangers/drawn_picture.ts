@@ -1,9 +1,12 @@
 // In a browser: the picture of a camera at the far end of what it sees. Four colours in its four
-// corners are found where Fossen's rotation has these corners: right is right, up is up.
+// corners are found where Fossen's rotation has these corners: right is right, up is up. And the
+// panel that fetches it lends none of another session, and says of an old one that it is old.
 import { Vector3, type WebGLRenderer } from 'three';
+import { picture_panel } from 'page/panel/picture_panel';
 import { SceneView } from 'page/scene/scene_view';
 import { decode_frame } from 'page/session/frame';
 import { empty_session, show_frame, tell } from 'page/session/state';
+import type { Station } from 'page/station';
 import { Tracks } from 'page/view/tracks';
 import { body_to_ned, type Triple } from './fossen';
 import { frame_bytes } from './made_up_frame';
@@ -45,7 +48,7 @@ const box = document.createElement('div');
 document.body.append(canvas, box);
 const view = new SceneView(canvas, box);
 const { renderer } = view as unknown as { renderer: WebGLRenderer };
-view.site.picture = { of: [...session.pictures.values()][0]!, canvas: picture };
+view.site.picture = { of: [...session.pictures.values()][0]!, canvas: picture, is_old: false };
 
 /** A corner of the picture, or a place on the way to it from its middle, as seen in the scene. */
 function place_of(heading: number, right: number, up: number): Vector3 {
@@ -97,7 +100,68 @@ for (const [heading_rad, aslant_rad] of [
         );
     }
 }
-document.title = JSON.stringify({
-  said: `the picture of a camera lies in its view: ${found} of 24 places have their colour`,
-  fault: faults.slice(0, 4).join('; '),
+
+/** What the panel lends to the scene, as one comes to another session like this one. */
+async function lent(): Promise<string[]> {
+  const wrong: string[] = [];
+  let now_ms = 100;
+  const blob = await new Promise<Blob | null>((done) => picture.toBlob(done));
+  const station = {
+    session,
+    chosen: 0 as number | null,
+    wire: { picture: () => Promise.resolve(blob) },
+    clock_ms: () => now_ms,
+    chosen_name: () => 'rov',
+  };
+  const panel = picture_panel(station as unknown as Station);
+  const expect = (what: string, is_so: boolean): void => {
+    if (!is_so) wrong.push(`expected ${what}`);
+  };
+  const fetched = async (): Promise<number | undefined> => {
+    for (let i = 0; i < 100; i += 1) {
+      panel.show();
+      if (panel.last() !== null) break;
+      await new Promise((done) => setTimeout(done, 20));
+    }
+    return panel.last()?.of.at;
+  };
+  const welcome = (at: number): void => {
+    tell(session, {
+      is: 'welcome',
+      vehicles: [
+        { vehicle: 0, name: 'rov' },
+        { vehicle: 1, name: 'blind' },
+      ],
+      pictures: [{ vehicle: 0, sensor: 'rov_camera', number: 1, at, wide: WIDE, high: HIGH }],
+    });
+  };
+  expect('the picture', (await fetched()) === 0 && panel.last()?.is_old === false);
+  now_ms = 5101;
+  expect('an old one', panel.last()?.is_old === true);
+  welcome(5000);
+  expect('none of the session before', panel.last() === null);
+  panel.show();
+  expect('none of it once the panel is shown', panel.last() === null);
+  expect('that of this session', (await fetched()) === 5000 && panel.last()?.is_old === false);
+  station.chosen = 1;
+  expect('none of another vehicle', panel.last() === null);
+  panel.show();
+  station.chosen = 0;
+  expect('none that was put away', panel.last() === null);
+  expect('it again', (await fetched()) === 5000);
+  // Asked for in one session, there in the next.
+  welcome(5001);
+  panel.show();
+  welcome(5002);
+  await new Promise((done) => setTimeout(done, 200));
+  expect('none that was asked for before', panel.last() === null);
+  expect('the last one', (await fetched()) === 5002);
+  return wrong;
+}
+void lent().then((wrong) => {
+  faults.push(...wrong);
+  document.title = JSON.stringify({
+    said: `the picture of a camera lies in its view: ${found} of 24 places have their colour`,
+    fault: faults.slice(0, 4).join('; '),
+  });
 });
