@@ -11,18 +11,18 @@ export function surfaces_fetched(
   station: Pick<Station, 'session' | 'wire'>,
   on_change: () => void,
 ): (into: Pick<InspectedView, 'has' | 'take'>) => void {
-  const not_before_ms = new Map<string, number>();
+  const not_before_ms = new WeakMap<Surface, number>(); // each welcome has its own surfaces
   let is_asking = false;
   return (into) => {
     if (is_asking) return;
     const now_ms = performance.now();
     const is_due = (it: Surface): boolean =>
-      !into.has(it) && now_ms >= (not_before_ms.get(surface_key(it)) ?? -Infinity);
+      !into.has(it) && now_ms >= (not_before_ms.get(it) ?? -Infinity);
     const surface = [...station.session.surfaces.values()].find(is_due);
     if (surface === undefined) return;
     is_asking = true;
     const key = surface_key(surface);
-    not_before_ms.set(key, now_ms + AGAIN_AFTER_MS);
+    not_before_ms.set(surface, now_ms + AGAIN_AFTER_MS);
     void station.wire
       .surface(surface.vehicle, surface.surface)
       .then((told) => {

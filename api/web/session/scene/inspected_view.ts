@@ -17,6 +17,7 @@ import {
 } from 'three';
 import type { Colours } from '../look/palette';
 import { surface_key, type Surface } from '../session/inspected';
+import type { Session } from '../session/state';
 import type { SurfaceMesh } from '../session/surface_mesh';
 import { at_place, type Place } from './axes';
 import { is_small, type Lens } from './detail';
@@ -138,6 +139,8 @@ export class InspectedView {
   private readonly drawn = new Map<string, Drawn>();
   private readonly group = new Group();
   private readonly boxes: Instances;
+  /** Whose surfaces they are: another session may have some of the same names and numbers. */
+  private of: { session: Session; id: string; start_utc_ms: number } | null = null;
 
   constructor(scene: Scene) {
     this.group.name = 'inspected';
@@ -163,15 +166,11 @@ export class InspectedView {
     return about === undefined ? null : { east_m: about.x, north_m: -about.z, up_m: about.y };
   }
 
-  show(surfaces: ReadonlyMap<string, Surface>, lens: Lens, tones: Tones): void {
+  show(session: Session, lens: Lens, tones: Tones): void {
+    this.drop_the_gone(session);
     this.boxes.begin();
     for (const [key, drawn] of this.drawn) {
-      const surface = surfaces.get(key);
-      const { name, patches } = drawn.of;
-      if (surface === undefined || surface.name !== name || surface.patches !== patches) {
-        this.drop(key, drawn);
-        continue;
-      }
+      const surface = session.surfaces.get(key)!;
       const is_far = is_small(lens, drawn.about.center, 2 * drawn.about.radius);
       drawn.mesh.visible = !is_far;
       if (is_far) this.mark(surface, drawn, tones);
@@ -181,10 +180,27 @@ export class InspectedView {
     this.group.visible = true;
   }
 
-  hide(): void {
+  hide(session: Session): void {
+    this.drop_the_gone(session);
     this.group.visible = false;
     this.boxes.begin();
     this.boxes.end();
+  }
+
+  private drop_the_gone(session: Session): void {
+    const { id, start_utc_ms, surfaces } = session;
+    // A start that is not told is not a number, which is the same as itself here.
+    const is_of_it =
+      this.of?.session === session &&
+      this.of.id === id &&
+      Object.is(this.of.start_utc_ms, start_utc_ms);
+    const is_new = this.of !== null && !is_of_it;
+    this.of = { session, id, start_utc_ms };
+    for (const [key, drawn] of this.drawn) {
+      const surface = surfaces.get(key);
+      const { name, patches } = drawn.of;
+      if (is_new || surface?.name !== name || surface.patches !== patches) this.drop(key, drawn);
+    }
   }
 
   private drop(key: string, { mesh }: Drawn): void {

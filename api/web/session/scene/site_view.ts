@@ -48,10 +48,10 @@ export class SiteView {
     if (layers.laid) this.laid.show(session, bed, lens, paint);
     else this.laid.hide();
     if (layers.inspected) {
-      this.inspected.show(session.surfaces, lens, paint);
+      this.inspected.show(session, lens, paint);
       this.findings.show(session.findings.values(), paint.alarm);
     } else {
-      this.inspected.hide();
+      this.inspected.hide(session);
       this.findings.hide();
     }
     if (layers.wind) this.wind.show(session, eye, paint.ink);

@@ -35,6 +35,8 @@ import type { Pose } from 'page/session/frame';
 import { bed_at, read_bed, type Bed } from 'page/session/bed';
 import { read_surface_mesh } from 'page/session/surface_mesh';
 import { empty_session, tell } from 'page/session/state';
+import { surfaces_fetched } from 'page/panel/surfaces_fetched';
+import type { Station } from 'page/station';
 import { pose_with } from './pose_for_tests';
 
 const near = (found: Vector3, expected: readonly number[], within = 1e-9): void => {
@@ -319,11 +321,7 @@ test('each patch has its tone, whatever the order of its triangles, and paint li
   const camera = new PerspectiveCamera(55, 1, 0.1, 1000);
   camera.position.set(0, -28, 0);
   const show = (): number[] => {
-    view.show(
-      session.surfaces,
-      { eye: camera.position, field_deg: camera.fov, high_px: 400 },
-      TONES,
-    );
+    view.show(session, { eye: camera.position, field_deg: camera.fov, high_px: 400 }, TONES);
     const { geometry } = scene.getObjectByName('inspected')!.children[0] as Mesh;
     const [colour, place] = ['color', 'position'].map((it) => geometry.getAttribute(it));
     assert.equal(place!.count, 6, 'what is of no patch is left out');
@@ -337,12 +335,54 @@ test('each patch has its tone, whatever the order of its triangles, and paint li
   tell(session, INSPECTED); // the link was cut, and the server began again
   assert.deepEqual(show(), [1, 0]);
   camera.position.set(5000, -28, 0);
-  view.show(session.surfaces, { eye: camera.position, field_deg: camera.fov, high_px: 400 }, TONES);
+  view.show(session, { eye: camera.position, field_deg: camera.fov, high_px: 400 }, TONES);
   const marks = scene.children.find((it) => it !== scene.getObjectByName('inspected'))!;
   assert.equal((marks as InstancedMesh).count, 1, 'far away it is a mark');
   session.surfaces.clear();
-  view.show(session.surfaces, { eye: camera.position, field_deg: camera.fov, high_px: 400 }, TONES);
+  view.show(session, { eye: camera.position, field_deg: camera.fov, high_px: 400 }, TONES);
   assert.equal(scene.getObjectByName('inspected')!.children.length, 0);
+});
+
+test('a surface of another session is another one, and is fetched at once', async () => {
+  const scene = new Scene();
+  const view = new InspectedView(scene);
+  const group = scene.getObjectByName('inspected')!;
+  const lens = { eye: new Vector3(0, -28, 0), field_deg: 55, high_px: 400 };
+  const asked: string[] = [];
+  const surface = (vehicle: number, of: string): Promise<unknown> => {
+    asked.push(`${vehicle} ${of}`);
+    return Promise.resolve(SQUARE);
+  };
+  const session = empty_session();
+  const station = { session, wire: { surface } };
+  const fetch_into = surfaces_fetched(station as unknown as Station, () => undefined);
+  /** As the scene does for a picture; then what was asked for is there. */
+  const picture = async (is_layer_shown = true): Promise<void> => {
+    fetch_into(view);
+    if (is_layer_shown) view.show(station.session, lens, TONES);
+    else view.hide(station.session);
+    await new Promise((done) => setImmediate(done));
+  };
+  tell(session, { ...INSPECTED, title: 'monday', start: '2026-06-01T00:00:00Z' });
+  await picture();
+  await picture();
+  assert.deepEqual([asked.length, group.children.length], [1, 1]);
+  // The link was cut: the surface is the same.
+  tell(session, { ...INSPECTED, title: 'monday', start: '2026-06-01T00:00:00Z' });
+  await picture();
+  assert.deepEqual([asked.length, group.children.length], [1, 1]);
+  // Of other days, and of another session, each has a surface of the same name.
+  const mesh = group.children[0];
+  tell(session, { ...INSPECTED, title: 'monday', start: '2026-06-08T00:00:00Z' });
+  await picture();
+  assert.equal(group.children.length, 0, 'the old one is nobody' + "'s");
+  await picture();
+  assert.equal(asked.length, 2);
+  assert.notEqual(group.children[0], mesh);
+  station.session = empty_session();
+  tell(station.session, { ...INSPECTED, title: 'monday', start: '2026-06-08T00:00:00Z' });
+  await picture(false);
+  assert.equal(group.children.length, 0, 'it is dropped, though the layer is hidden');
 });
 
 test('surfaces and the nearest findings have names, and all of it is told in words', () => {
