@@ -132,11 +132,6 @@ export class BedView {
       : up_beyond(grid, this.beyond_m, east_m, north_m);
   }
 
-  /** What of it is drawn. */
-  ground(): Mesh[] {
-    return [this.level, this.relief].filter((it) => it.visible);
-  }
-
   /** What is told of it, before anything is laid on it. */
   take(session: Session): void {
     if (session.bed !== this.grid) {

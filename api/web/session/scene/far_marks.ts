@@ -4,6 +4,11 @@ import { Instances } from './instances';
 
 const PAINTS = { vehicle: new Color('#e2b33c'), vessel: new Color('#7c4136') };
 
+export interface Size {
+  long_m: number;
+  wide_m: number;
+}
+
 export class FarMarks {
   private readonly marks: Instances;
 
@@ -16,12 +21,13 @@ export class FarMarks {
   begin(): void {
     this.marks.begin();
   }
-  add(kind: keyof typeof PAINTS, at: Vector3, turn: Euler, long_m: number, wide_m: number): void {
+  add(kind: keyof typeof PAINTS, name: string, at: Vector3, turn: Euler, size: Size): void {
     const { part } = this.marks;
+    const { long_m, wide_m } = size;
     part.position.copy(at);
     part.rotation.copy(turn);
     part.scale.set(wide_m, wide_m, long_m);
-    this.marks.add(PAINTS[kind]);
+    this.marks.add(PAINTS[kind], name);
   }
   end(): void {
     this.marks.end();

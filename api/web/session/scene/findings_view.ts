@@ -27,7 +27,6 @@ export class FindingsView {
   }
 
   hide(): void {
-    this.marks.begin();
-    this.marks.end();
+    this.marks.clear();
   }
 }

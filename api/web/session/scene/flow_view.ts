@@ -12,6 +12,7 @@ import {
 } from 'three';
 import { current_at, type Current } from '../session/currents';
 import { at_place, type Place } from './axes';
+import { set_all_about } from './met';
 
 const SIDE = 11; // arrows along each side of a slice
 const SHOWN_M_PER_M_S = 12;
@@ -32,6 +33,7 @@ export class FlowSlice {
     this.mesh = new InstancedMesh(arrow, new MeshBasicMaterial({ fog: false }), SIDE * SIDE);
     this.mesh.frustumCulled = false;
     this.mesh.name = 'slice';
+    set_all_about(this.mesh);
   }
 
   /** @return the current there; nothing: none is known at that depth, and none is drawn */

@@ -31,7 +31,7 @@ export class Foundations {
       const of = is_round ? this.near : this.far;
       of.part.position.copy(at_place({ ...structure, up_m: bottom_m + high_m / 2 }));
       of.part.scale.set(radius_m, high_m, radius_m);
-      of.add(top_m > 2 ? PAINT : STEEL);
+      of.add(top_m > 2 ? PAINT : STEEL, structure.name);
     }
     this.near.end();
     this.far.end();

@@ -8,7 +8,7 @@ export interface InPicture {
   up: number;
 }
 
-const FARTHEST_M = 3000;
+export const FARTHEST_M = 3000; // that something is pointed at, or a place is moved to
 
 function ray_through(camera: PerspectiveCamera, at: InPicture): Raycaster['ray'] {
   const caster = new Raycaster();

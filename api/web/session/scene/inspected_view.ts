@@ -22,6 +22,7 @@ import type { SurfaceMesh } from '../session/surface_mesh';
 import { at_place, type Place } from './axes';
 import { is_small, type Lens } from './detail';
 import { Instances } from './instances';
+import { give_names } from './met';
 
 const OVER_M = 0.03; // over what it is painted on
 const HIDDEN = 0.25; // so much of the way to it haze and water hide: it tells something
@@ -145,7 +146,8 @@ export class InspectedView {
   constructor(scene: Scene) {
     this.group.name = 'inspected';
     scene.add(this.group);
-    this.boxes = new Instances(scene, new BoxGeometry(1, 1, 1), new MeshBasicMaterial());
+    const box = new BoxGeometry(1, 1, 1);
+    this.boxes = new Instances(scene, box, new MeshBasicMaterial(), 'inspected far away');
   }
 
   has(surface: Surface): boolean {
@@ -157,6 +159,7 @@ export class InspectedView {
     const made = drawn_of(surface, mesh);
     this.drawn.set(surface_key(surface), made);
     made.mesh.frustumCulled = false; // each picture takes what was painted for it
+    give_names(made.mesh, [surface.name]);
     this.group.add(made.mesh);
   }
 
@@ -183,8 +186,7 @@ export class InspectedView {
   hide(session: Session): void {
     this.drop_the_gone(session);
     this.group.visible = false;
-    this.boxes.begin();
-    this.boxes.end();
+    this.boxes.clear();
   }
 
   private drop_the_gone(session: Session): void {
@@ -214,7 +216,8 @@ export class InspectedView {
     const { part } = this.boxes;
     part.position.copy(about.center);
     part.scale.copy(size).max(new Vector3(0.1, 0.1, 0.1));
-    this.boxes.add(new Color(tones.not_covered).lerp(new Color(tones.covered), surface.seen));
+    const tone = new Color(tones.not_covered).lerp(new Color(tones.covered), surface.seen);
+    this.boxes.add(tone, surface.name);
   }
 
   /** Only what is newly covered; all of it where the palette is another, or the link is new. */

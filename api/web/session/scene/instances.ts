@@ -9,6 +9,7 @@ import {
   type Material,
   type Scene,
 } from 'three';
+import { give_names } from './met';
 
 const ALL_OVER = new Sphere(new Vector3(), Infinity);
 
@@ -19,12 +20,13 @@ export class Instances {
   private many = 0;
   private before = 0; // as many were there
   private has_moved = false;
+  private readonly names: string[] = [];
 
   constructor(
     private readonly scene: Scene | Object3D,
     geometry: BufferGeometry,
     material: Material,
-    name = '', // of things that can be pressed
+    name = '', // of all of them, where one can be pressed
   ) {
     this.drawn = this.of(geometry, material, 16);
     this.drawn.name = name;
@@ -40,8 +42,14 @@ export class Instances {
     this.many = 0;
   }
 
-  /** One more, where `part` is. */
-  add(colour: Color | null = null): void {
+  /** None: nothing of it is drawn. */
+  clear(): void {
+    this.begin();
+    this.end();
+  }
+
+  /** One more, where `part` is; `name`: its own. */
+  add(colour: Color | null = null, name = ''): void {
     if (this.many === this.drawn.instanceMatrix.count) this.grow();
     this.part.updateMatrix();
     const { elements } = this.part.matrix;
@@ -55,6 +63,7 @@ export class Instances {
       this.has_moved = true;
     }
     if (colour !== null) this.paint(colour);
+    this.names[this.many] = name;
     this.many += 1;
   }
 
@@ -86,6 +95,7 @@ export class Instances {
   private of(geometry: BufferGeometry, material: Material, most: number): InstancedMesh {
     const made = new InstancedMesh(geometry, material, most);
     made.frustumCulled = false; // its box is of one of them
+    give_names(made, this.names);
     made.boundingSphere = ALL_OVER; // or it is reckoned anew for each picture
     return made;
   }

@@ -27,14 +27,15 @@ import { is_small, type Lens } from './detail';
 import { Eye } from './eye';
 import { FarMarks } from './far_marks';
 import { FarmView } from './farm_view';
-import type { InPicture } from './handles';
+import { FARTHEST_M, type InPicture } from './handles';
 import { FlowSlice, Hodograph } from './flow_view';
 import { Kept } from './kept';
 import { Labels, names_in, type Name } from './labels';
 import { camera_edges, home_mark, ring } from './marks';
 import { people_names, place_people } from './people_shown';
 import { ALL_LAYERS, type Layers } from './layers';
-import { vehicle_shape, vessel_shape, vessel_size } from './shapes';
+import { met_along, name_of, that_can_be_pressed, that_hide } from './met';
+import { vehicle_key, vehicle_shape, vessel_key, vessel_shape, vessel_size } from './shapes';
 import { site_names } from './site_names';
 import { SiteView, is_far } from './site_view';
 import { Surround } from './surround';
@@ -58,8 +59,6 @@ export interface Visitor {
 
 const CURRENT_ARROW_M_PER_M_S = 4;
 const IN_HEADSET = { field_deg: 95, high_px: 2000 }; // what is usual for each eye
-const FARTHEST_M = 3000; // that something is pointed at
-const PRESSED = /^(?!sea$|sky$|slice$|turbines$).+/; // things with a name, but those all about
 
 export class SceneView {
   readonly eye = new Eye();
@@ -116,21 +115,17 @@ export class SceneView {
 
   /** The same along a unit vector from a place. */
   named_along(from: Vector3, ahead: Vector3): string {
-    const things = this.scene.children.filter((it) => it.name !== '');
-    const [hit] = new Raycaster(from, ahead).intersectObjects(things, true);
-    let thing = hit?.object ?? null;
-    while (thing !== null && thing.parent !== this.scene) thing = thing.parent;
-    return thing !== null && PRESSED.test(thing.name) ? thing.name : '';
+    const met = met_along(that_hide(this.scene), from, ahead);
+    return met === null ? '' : name_of(met);
   }
 
   /** The same along a unit vector from a place. */
   place_along(from: Vector3, ahead: Vector3): Place | null {
-    const things = this.scene.children.filter((it) => PRESSED.test(it.name));
-    const [hit] = new Raycaster(from, ahead).intersectObjects(things, true);
-    if (hit !== undefined) return at_scene(hit.point);
+    const met = met_along(that_can_be_pressed(this.scene), from, ahead);
+    if (met !== null) return at_scene(met.point);
     if (from.y <= 0) {
-      const [bed] = new Raycaster(from, ahead).intersectObjects(this.surround.bed.ground());
-      return bed === undefined ? null : at_scene(bed.point);
+      const bed = met_along([this.surround.bed.group], from, ahead);
+      return bed === null ? null : at_scene(bed.point);
     }
     const away_m = (0 - from.y) / ahead.y;
     if (!(away_m > 0 && away_m <= FARTHEST_M)) return null;
@@ -171,7 +166,7 @@ export class SceneView {
         ? { eye: from, field_deg: this.eye.camera.fov, high_px: high }
         : { eye: from, ...IN_HEADSET };
     this.place_things(session, tracks, chosen, lens);
-    this.place_farm(session);
+    this.place_farm(session, from);
     this.site.show(session, lens, this.surround.bed, this.layers);
     const is_beside = this.eye.stand !== 'on_board';
     this.site.show_picture(is_beside ? (pose ?? null) : null, session, this.layers);
@@ -191,12 +186,10 @@ export class SceneView {
       const vehicle = session.vehicles.get(pose.vehicle);
       if (vehicle === undefined) continue;
       if (is_far(lens, pose, vehicle)) {
-        const { length_m, width_m } = vehicle;
-        this.far.add('vehicle', at_place(pose), turned(pose), length_m, width_m);
+        const size = { long_m: vehicle.length_m, wide_m: vehicle.width_m };
+        this.far.add('vehicle', vehicle.name, at_place(pose), turned(pose), size);
       } else {
-        const shape = this.kept.of(`vehicle ${pose.vehicle} ${vehicle.model}`, () =>
-          vehicle_shape(vehicle),
-        );
+        const shape = this.kept.of(vehicle_key(vehicle), () => vehicle_shape(vehicle));
         shape.position.copy(at_place(pose));
         shape.rotation.copy(turned(pose));
         this.place_stream(pose);
@@ -209,12 +202,12 @@ export class SceneView {
     for (const vessel of session.vessels) {
       const at = at_place({ ...vessel, up_m: 0 }); // how it heaves nobody tells
       const turn = new Euler(0, -((vessel.course_deg ?? 0) * Math.PI) / 180, 0);
-      const { long_m, wide_m } = vessel_size(vessel);
-      if (is_small(lens, at, long_m)) {
-        this.far.add('vessel', at, turn, long_m, wide_m);
+      const size = vessel_size(vessel);
+      if (is_small(lens, at, size.long_m)) {
+        this.far.add('vessel', vessel.name, at, turn, size);
         continue;
       }
-      const shape = this.kept.of(`vessel ${vessel.mmsi}`, () => vessel_shape(vessel));
+      const shape = this.kept.of(vessel_key(vessel), () => vessel_shape(vessel));
       shape.position.copy(at);
       shape.rotation.copy(turn);
     }
@@ -281,7 +274,8 @@ export class SceneView {
       });
   }
 
-  private place_farm(session: Session): void {
+  /** In detail where the eye of who looks is near: at the desk, or in a headset. */
+  private place_farm(session: Session, eye: Vector3): void {
     if (this.farm !== null && this.farm.of !== session.turbines) {
       this.scene.remove(this.farm.view.group);
       this.farm.view.dispose();
@@ -293,7 +287,7 @@ export class SceneView {
       this.scene.add(this.farm.view.group);
     }
     const time_s = session.frame?.time_s ?? 0;
-    this.farm.view.show(session.weather, time_s, this.shows_wakes, this.eye.camera.position);
+    this.farm.view.show(session.weather, time_s, this.shows_wakes, eye);
   }
 
   private place_flow(session: Session, chosen: Pose | null): void {

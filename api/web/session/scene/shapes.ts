@@ -12,11 +12,17 @@ import {
 } from 'three';
 import type { Vessel } from '../session/around';
 import type { Vehicle } from '../session/message';
+import { give_names } from './met';
 
 const HULL = new MeshLambertMaterial({ color: '#e2b33c' });
 const DARK = new MeshLambertMaterial({ color: '#2b3138' });
 const STEEL = new MeshLambertMaterial({ color: '#8d979f' });
 const SHIP = new MeshLambertMaterial({ color: '#7c4136' });
+
+/** All that its shape is made by: another session may have another vehicle of its number. */
+export function vehicle_key(of: Vehicle): string {
+  return `vehicle ${of.vehicle} ${of.kind} ${of.model} ${of.length_m} ${of.width_m} ${of.name}`;
+}
 
 /** The bow along -z, as long and wide as the vehicle says. */
 export function vehicle_shape(vehicle: Vehicle): Group {
@@ -52,6 +58,7 @@ export function vehicle_shape(vehicle: Vehicle): Group {
     made.add(hull_of(long, Math.min(wide, 0.5 * long), HULL));
   }
   made.name = vehicle.name;
+  give_names(made, [vehicle.name]);
   return made;
 }
 
@@ -81,9 +88,14 @@ export function vessel_size({ length_m }: Vessel): { long_m: number; wide_m: num
   return { long_m, wide_m: long_m / 6 };
 }
 
+export function vessel_key({ mmsi, length_m, name }: Vessel): string {
+  return `vessel ${mmsi} ${length_m} ${name}`;
+}
+
 export function vessel_shape(vessel: Vessel): Group {
   const { long_m, wide_m } = vessel_size(vessel);
   const made = hull_of(long_m, wide_m, SHIP);
   made.name = vessel.name;
+  give_names(made, [vessel.name]);
   return made;
 }

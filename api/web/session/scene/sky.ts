@@ -1,6 +1,7 @@
 // The sky about the eye: paler to the horizon, warm there where the sun is low, and the sun's disc.
 import { BackSide, Color, Mesh, ShaderMaterial, SphereGeometry, Vector3 } from 'three';
 import type { Daylight } from './daylight';
+import { set_all_about } from './met';
 
 const REACH_M = 15_000;
 const SUN_RADIUS_DEG = 0.27;
@@ -51,6 +52,7 @@ export class Sky {
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = -1;
     this.mesh.name = 'sky';
+    set_all_about(this.mesh);
   }
 
   show(daylight: Daylight, about: Vector3): void {

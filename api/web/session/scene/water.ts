@@ -16,6 +16,7 @@ import {
   type Color,
 } from 'three';
 import { phase_of, type Sea } from '../session/sea';
+import { set_all_about } from './met';
 
 // Corners lie 0.7 m apart in the middle, and 5 parts in 100 of the way to it farther out.
 const CELLS = 256; // along each side
@@ -123,6 +124,7 @@ export class Water {
     this.mesh = new Mesh(mesh(CELLS), material);
     this.mesh.frustumCulled = false;
     this.mesh.name = 'sea';
+    set_all_about(this.mesh);
   }
 
   /** For who has a picture for each eye: with fewer corners. */

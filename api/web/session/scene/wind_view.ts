@@ -92,7 +92,6 @@ export class WindView {
   }
 
   hide(): void {
-    this.arrows.begin();
-    this.arrows.end();
+    this.arrows.clear();
   }
 }

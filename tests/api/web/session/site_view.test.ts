@@ -26,6 +26,7 @@ import { Instances } from 'page/scene/instances';
 import { jet_of } from 'page/scene/jets';
 import { LaidView, laid_on } from 'page/scene/laid_view';
 import { ALL_LAYERS, has_layer } from 'page/scene/layers';
+import { met_along } from 'page/scene/met';
 import { finding_text, site_names } from 'page/scene/site_names';
 import { SiteView } from 'page/scene/site_view';
 import { site_in_words } from 'page/scene/site_words';
@@ -103,10 +104,10 @@ test('beside a hole at the edge the slope has one, too, where it is drawn so', (
       [along_m, 113.1],
       [113.1, along_m],
     ] as const) {
-      const ray = new Raycaster(new Vector3(east_m, 100, -north_m), new Vector3(0, -1, 0));
-      const [hit] = ray.intersectObjects(view.ground());
+      const from = new Vector3(east_m, 100, -north_m);
+      const hit = met_along([view.group], from, new Vector3(0, -1, 0));
       const up_m = view.up_at(east_m, north_m);
-      if (hit === undefined) {
+      if (hit === null) {
         holes += 1;
         assert.equal(up_m, null);
       } else assert.ok(Math.abs(hit.point.y - up_m!) < 1e-3, `${east_m} ${north_m}`);
