@@ -31,7 +31,7 @@ import {
 import { read_cables, read_moorings, type Cable, type Mooring } from './laid';
 import { read_playback, type Playback } from './playback';
 import { read_sea, type Sea } from './sea';
-import { read_thrust } from './thrust';
+import { read_thrust, read_thrusts } from './thrust';
 
 const ACTIONS_KEPT = 400;
 const WORDS_KEPT = 50;
@@ -162,11 +162,8 @@ export function tell(session: Session, message: Json): boolean {
         if (status !== undefined) session.statuses.set(it.vehicle, { ...status, ...it });
       }
       return true;
-    case 'thrusts': // each as if it was told alone
-      for (const row of read.as_list(message.thrusts).map(read.as_list)) {
-        const share = row.slice(1).map((it) => (read.as_number(it) ?? 0) / 100);
-        tell(session, { is: 'thrust', vehicle: row[0], share });
-      }
+    case 'thrusts':
+      for (const it of read_thrusts(message.thrusts)) session.thrusts.set(it.vehicle, it.share);
       return true;
     case 'picture': {
       const picture = read.read_picture(message);

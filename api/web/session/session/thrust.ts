@@ -26,11 +26,32 @@ export function read_mounts(value: unknown): Mount[] {
   return made;
 }
 
-/** Each from -1 to 1; nothing: not told of any vehicle. */
-export function read_thrust(value: unknown): { vehicle: number; share: number[] } | null {
+export interface Thrust {
+  vehicle: number;
+  share: number[]; // each from -1 to 1
+}
+
+/** All of them, or nothing where one is no number: it would look at rest. */
+function thrust_of(vehicle: number | null, told: readonly (number | null)[]): Thrust | null {
+  const share = told.filter((it) => it !== null);
+  if (vehicle === null || share.length < told.length) return null;
+  return { vehicle, share: share.map((it) => Math.min(1, Math.max(-1, it))) };
+}
+
+export function read_thrust(value: unknown): Thrust | null {
   const it = as_object(value);
-  const vehicle = as_number(it?.vehicle);
-  if (it === null || vehicle === null) return null;
-  const share = as_list(it.share).map((one) => Math.min(1, Math.max(-1, as_number(one) ?? 0)));
-  return { vehicle, share };
+  return it === null ? null : thrust_of(as_number(it.vehicle), as_list(it.share).map(as_number));
+}
+
+/** Of several vehicles: each its number, then parts of a hundred. */
+export function read_thrusts(value: unknown): Thrust[] {
+  return as_list(value)
+    .map((row) => {
+      const [vehicle, ...parts] = as_list(row).map(as_number);
+      return thrust_of(
+        vehicle ?? null,
+        parts.map((it) => (it === null ? null : it / 100)),
+      );
+    })
+    .filter((it) => it !== null);
 }

@@ -6,7 +6,7 @@ import { bed_at, holes_in, level_beyond_m, read_bed } from 'page/session/bed';
 import { read_turbines } from 'page/session/farm';
 import { is_buried, length_m, read_cables, read_moorings } from 'page/session/laid';
 import { read_surface_mesh } from 'page/session/surface_mesh';
-import { read_mounts, read_thrust } from 'page/session/thrust';
+import { read_mounts, read_thrust, read_thrusts } from 'page/session/thrust';
 import { empty_session, tell } from 'page/session/state';
 
 const NONSENSE = [undefined, null, 7, 'bed', [], {}, [null], [{}], { up_m: 3 }, [[1, 2]]];
@@ -106,11 +106,16 @@ test('thrusters are told all or none, and no share is above one', () => {
   const mount = { at: [0.1, 0.2, 0.3], axis: [0, 3, 4] };
   assert.deepEqual(read_mounts([mount]), [{ at: [0.1, 0.2, 0.3], axis: [0, 0.6, 0.8] }]);
   assert.deepEqual(read_mounts([mount, { at: [0, 0, 0], axis: [0, 0, 0] }]), []);
-  assert.deepEqual(read_thrust({ vehicle: 3, share: [0.5, -7, 'x'] }), {
-    vehicle: 3,
-    share: [0.5, -1, 0],
-  });
+  assert.deepEqual(read_thrust({ vehicle: 3, share: [0.5, -7] }), { vehicle: 3, share: [0.5, -1] });
+  for (const none of ['x', null, Number.NaN])
+    assert.equal(read_thrust({ vehicle: 3, share: [0.5, none] }), null);
   for (const one of NONSENSE) assert.equal(read_thrust(one), null);
+  const rows = [[3, 50, -700], [4, 'x'], ['x', 1], [5], 7];
+  assert.deepEqual(read_thrusts(rows), [
+    { vehicle: 3, share: [0.5, -1] },
+    { vehicle: 5, share: [] },
+  ]);
+  for (const one of ['x', 7, null, {}]) assert.deepEqual(read_thrusts(one), []);
 });
 
 test('a curve rises with the wind, whatever its order', () => {
@@ -202,6 +207,15 @@ test('findings of a vehicle are replaced by what it finds now, thrust by what it
   tell(session, { is: 'findings', vehicle: 0, findings: [] });
   tell(session, { is: 'thrust', vehicle: 0, share: [-0.5] });
   assert.deepEqual([session.findings.get(0), session.thrusts.get(0)], [[], [-0.5]]);
+  tell(session, {
+    is: 'thrusts',
+    thrusts: [
+      [0, 75],
+      [1, 'x'],
+    ],
+  });
+  tell(session, { is: 'thrust', vehicle: 0, share: ['x'] });
+  assert.deepEqual([...session.thrusts], [[0, [0.75]]], 'nonsense is no rest');
 });
 
 test('a recording, or an older server, tells nothing of it, and nothing is there', () => {
