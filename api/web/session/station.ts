@@ -25,6 +25,7 @@ export class Station {
   session: Session = empty_session();
   chosen: number | null = null;
   frame_came_ms = Number.NaN;
+  links = 0; // counts them: what was told over one is not known over the next
   readonly numbers = new CommandNumbers();
   private awaited = new Map<number, Awaited>();
 
@@ -112,6 +113,7 @@ export class Station {
   /** The link is new or gone: no answer is awaited over it. */
   forget_answers(): void {
     this.awaited.clear();
+    this.links += 1;
   }
 
   private forget_old(): void {

@@ -1,18 +1,11 @@
 // Off until somebody wants it: what this person looks at is kept in the record, by the pointer or,
 // where that rests, by what is in the middle of the scene. The others are told nothing of it.
 import { button, set_hidden, set_text } from '../../look/element';
-import { Attention, type Gaze } from '../session/attention';
+import { Attention, type Gaze, type Gazed } from '../session/attention';
 import type { Station } from '../station';
 
 const LOOKS_EVERY_MS = 150;
 const POINTER_RESTS_MS = 5000;
-
-export interface Gazed {
-  /** What lies under a place of the window, by name; empty: nothing that has one. */
-  under(x: number, y: number): string;
-  /** What is ahead, where there is an ahead; empty likewise. */
-  ahead(): string;
-}
 
 export function attention_button(station: Station, gazed: Gazed): HTMLButtonElement {
   const attention = new Attention();
@@ -61,8 +54,9 @@ export function attention_button(station: Station, gazed: Gazed): HTMLButtonElem
     show();
     if (!is_kept || seat === null) return;
     const now_ms = performance.now();
-    const news = attention.take(gaze(now_ms), now_ms);
-    if (news !== null) station.wire.send({ do: 'attend', ...news });
+    attention.tell(gaze(now_ms), now_ms, station.links, (news) => {
+      return station.wire.send({ do: 'attend', ...news }) !== null;
+    });
   }, LOOKS_EVERY_MS);
   return toggle;
 }

@@ -1,6 +1,6 @@
 // What lies under a place of the page, by name: a thing of the scene or the plan, else the panel.
 import type { ScenePanel } from '../panel/scene_panel';
-import type { Gazed } from '../panel/attention_button';
+import type { Gazed } from '../session/attention';
 import type { Session } from '../session/state';
 import type { Pixel, Plane } from './camera';
 

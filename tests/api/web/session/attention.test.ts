@@ -19,8 +19,8 @@ test('a thing is told once it has held the gaze, and once', () => {
     if (news !== null) told.push([ms, news.on]);
   }
   assert.deepEqual(told, [
-    [GLANCE_MS, 'rov'],
-    [1500 + GLANCE_MS, ''],
+    [350, 'rov'],
+    [1850, ''], // in steps of 50 ms
   ]);
 });
 
@@ -35,6 +35,38 @@ test('its end is told where there was a beginning', () => {
   assert.equal(attention.ends(), false);
   attention.take(at('rov'), 2 * GLANCE_MS);
   assert.notEqual(attention.take(at('rov'), 3 * GLANCE_MS), null, 'it begins anew');
+});
+
+test('the same seen by something else is told, too', () => {
+  const attention = new Attention();
+  const told: Gaze[] = [];
+  for (let ms = 0; ms <= 2000; ms += 50) {
+    const news = attention.take({ on: 'rov', by: ms < 1000 ? 'pointer' : 'head' }, ms);
+    if (news !== null) told.push(news);
+  }
+  assert.deepEqual(told, [
+    { on: 'rov', by: 'pointer' },
+    { on: 'rov', by: 'head' },
+  ]);
+});
+
+test('what could not be sent is told later, and over a new link all is told again', () => {
+  const attention = new Attention();
+  const told: [number, string][] = [];
+  // One looks at the rov all the time. No link from 1 s to 3 s; then another one.
+  for (let ms = 0; ms <= 6000; ms += 50) {
+    const is_cut = ms >= 1000 && ms < 3000;
+    const link = is_cut ? 2 : ms < 1000 ? 1 : 3;
+    attention.tell(at('rov'), ms, link, ({ on }) => {
+      if (!is_cut) told.push([ms, on]);
+      return !is_cut;
+    });
+  }
+  // Looked at in steps of 50 ms, from the beginning, and from the moment of the new link.
+  assert.deepEqual(told, [
+    [350, 'rov'],
+    [3350, 'rov'],
+  ]);
 });
 
 test('on the plan the nearest thing within reach has the gaze', () => {
