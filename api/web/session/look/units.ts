@@ -40,6 +40,12 @@ export function percent_text(share: number | null): string {
   return `${Math.round(share * 100)} %`;
 }
 
+/** Rounded down: what is not all done never reads as all done. */
+export function done_text(share: number | null): string {
+  if (share === null || !Number.isFinite(share)) return NOT_KNOWN;
+  return `${Math.floor(share * 100 + 1e-9)} %`; // 0.29 is a little less than 29 parts
+}
+
 /** Hours, minutes and, if asked for, seconds of a moment, with the name of the zone. */
 export function time_text(utc_ms: number, zone: TimeZoneChoice, with_seconds = false): string {
   if (!Number.isFinite(utc_ms)) return NOT_KNOWN;

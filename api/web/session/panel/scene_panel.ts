@@ -1,5 +1,6 @@
 // The scene in place of the plan: opened by who wants it, looked about in with pointer or keys.
 import { button, by_id, choice, element, set_hidden, set_text } from '../../look/element';
+import type { SpeedUnit } from '../look/units';
 import { SceneView, type Shown } from '../scene/scene_view';
 import { approaches_in } from '../scene/approach';
 import type { Stand } from '../scene/eye';
@@ -35,8 +36,8 @@ export interface ScenePanel {
   draw(shown: Shown): void;
 }
 
-function show_words(list: HTMLElement, session: Session): void {
-  const lines = scene_in_words(session, approaches_in(session));
+function show_words(list: HTMLElement, session: Session, speed_unit: SpeedUnit): void {
+  const lines = scene_in_words(session, approaches_in(session), speed_unit);
   while (list.children.length > lines.length) list.lastChild?.remove();
   while (list.children.length < lines.length) list.append(element('li', {}));
   lines.forEach((line, nth) => set_text(list.children[nth] as HTMLElement, line));
@@ -254,7 +255,9 @@ export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
   const draw = (now: Shown): void => {
     shown = now;
     if (box.hidden) return;
+    const { speed_unit } = station.settings;
     if (view !== null) {
+      view.speed_unit = speed_unit;
       view.site.picture = last_picture();
       if (layers.layers.inspected) fetch_surfaces(view.site.inspected);
     }
@@ -265,7 +268,7 @@ export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
     people.show();
     on_way.show();
     if (view !== null) people.tell(view);
-    if (in_words.open) show_words(words, now.session);
+    if (in_words.open) show_words(words, now.session, speed_unit);
   };
 
   return {

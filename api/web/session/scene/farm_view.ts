@@ -14,6 +14,7 @@ import {
 import type { Weather } from '../session/around';
 import { BEHIND_DIAMETERS, type FarmNow, type Turbines } from '../session/farm';
 import { at_place } from './axes';
+import { set_all_about } from './met';
 import { FAR, NEAR, TurbineBodies } from './turbine_bodies';
 
 const NEAR_DIAMETERS = 8;
@@ -24,6 +25,7 @@ export class FarmView {
   private readonly far: TurbineBodies;
   private readonly wakes: InstancedMesh<PlaneGeometry, MeshBasicMaterial>[];
   private readonly turned_rad: number[];
+  private faces_rad = 0;
   private time_s: number | null = null;
   private readonly part = new Object3D();
 
@@ -54,6 +56,7 @@ export class FarmView {
       this.group.add(wake);
     }
     this.group.name = 'turbines';
+    set_all_about(this.group);
   }
 
   /** At a time of the run. How far round a rotor is nobody tells, only how fast it turns. */
@@ -62,9 +65,10 @@ export class FarmView {
     const farm: FarmNow | null = weather?.farm ?? null;
     const passed_s = this.time_s === null ? 0 : Math.max(0, time_s - this.time_s);
     this.time_s = time_s;
-    // A rotor looks into the wind: its axis -z towards where it comes from.
-    const faces_rad = -((weather?.hub_wind_from_deg ?? 0) * Math.PI) / 180;
-    const { part, near, far } = this;
+    // A rotor looks into the wind: its axis -z towards where it comes from. In a calm it stays.
+    const from_deg = weather?.hub_wind_from_deg ?? null;
+    if (from_deg !== null) this.faces_rad = (-from_deg * Math.PI) / 180;
+    const { part, near, far, faces_rad } = this;
     const shade = new Color();
     near.begin();
     far.begin();
@@ -99,6 +103,7 @@ export class FarmView {
     this.far.dispose();
     for (const wake of this.wakes) {
       wake.geometry.dispose();
+      wake.material.dispose();
       wake.dispose();
     }
   }

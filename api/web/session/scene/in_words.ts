@@ -1,5 +1,12 @@
 // What is in the scene, in words, for who does not see it: one line each.
-import { heading_text, level_text, metres_text, span_text } from '../look/units';
+import {
+  heading_text,
+  level_text,
+  metres_text,
+  span_text,
+  speed_text,
+  type SpeedUnit,
+} from '../look/units';
 import { current_at } from '../session/currents';
 import type { Sun } from '../session/around';
 import type { Session } from '../session/state';
@@ -23,27 +30,31 @@ function water_words({ forecast, weather }: Session): string {
   return `Wind, waves and current are ${whose}${by_hand}. Vehicles are as the twin has them.`;
 }
 
-export function scene_in_words(session: Session, approaches: readonly Approach[]): string[] {
+export function scene_in_words(
+  session: Session,
+  approaches: readonly Approach[],
+  speed_unit: SpeedUnit,
+): string[] {
   const lines: string[] = [];
   const { weather, turbines } = session;
   if (session.forecast !== undefined) lines.push(water_words(session));
   if (session.water_missing !== '') lines.push(`${NOT_SHOWN}: ${session.water_missing}.`);
   if (weather?.sun != null) lines.push(sun_words(weather.sun));
-  lines.push(...site_in_words(session));
+  lines.push(...site_in_words(session, speed_unit));
   const currents = weather?.currents ?? [];
   const deepest_m = currents.at(-1)?.up_m ?? 0;
   for (let up_m = 0; up_m >= deepest_m && currents.length > 1; up_m -= EVERY_M) {
     const at = current_at(currents, up_m);
     if (at === null) continue;
     const to = heading_text(Math.atan2(at.east_m_s, at.north_m_s));
-    const speed = Math.hypot(at.east_m_s, at.north_m_s).toFixed(2);
-    lines.push(`Current ${-up_m} m deep: ${speed} m/s to ${to}.`);
+    const speed = speed_text(Math.hypot(at.east_m_s, at.north_m_s), speed_unit, 2);
+    lines.push(`Current ${-up_m} m deep: ${speed} to ${to}.`);
   }
   turbines?.places.forEach((place, nth) => {
     const now = weather?.farm?.each[nth];
     const where = `${metres_text(Math.hypot(place.east_m, place.north_m))} from the origin`;
     const power = `${((now?.power_w ?? 0) / 1e6).toFixed(1)} MW`;
-    const makes = now === undefined ? '' : `: ${power} in ${now.wind_m_s.toFixed(1)} m/s`;
+    const makes = now === undefined ? '' : `: ${power} in ${speed_text(now.wind_m_s, speed_unit)}`;
     lines.push(`Turbine ${nth + 1}, ${where}${makes}.`);
   });
   for (const structure of session.structures)

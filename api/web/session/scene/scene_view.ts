@@ -15,6 +15,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { colours } from '../look/palette';
+import type { SpeedUnit } from '../look/units';
 import type { Pose } from '../session/frame';
 import type { Vehicle } from '../session/message';
 import type { Session } from '../session/state';
@@ -67,6 +68,7 @@ export class SceneView {
   shows_wakes = false;
   visitor: Visitor | null = null;
   layers: Layers = { ...ALL_LAYERS };
+  speed_unit: SpeedUnit = 'm/s'; // of its reader
   readonly scene = new Scene();
   readonly surround = new Surround(this.scene);
   readonly site = new SiteView(this.scene);
@@ -174,7 +176,8 @@ export class SceneView {
     this.surround.show(session, from, visitor !== null, visitor?.is_table ?? false);
     const names = names_in(session, chosen, from, this.approaches);
     names.push(...people_names(session), ...draft_names(draft));
-    names.push(...site_names(session, this.site.inspected, from, this.layers));
+    const { layers, speed_unit } = this;
+    names.push(...site_names(session, this.site.inspected, from, layers, speed_unit));
     visitor?.before_drawn(shown, names);
     renderer.render(this.scene, camera);
     this.labels.show(visitor === null ? names : [], camera, wide, high);

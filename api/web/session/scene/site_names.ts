@@ -1,6 +1,6 @@
 // Names of what is laid, inspected and found, and of the wind: the nearest ones.
 import type { Vector3 } from 'three';
-import { metres_text, percent_text } from '../look/units';
+import { done_text, metres_text, speed_text, type SpeedUnit } from '../look/units';
 import type { Finding } from '../session/inspected';
 import type { Session } from '../session/state';
 import { at_place, type Place } from './axes';
@@ -56,13 +56,14 @@ export function site_names(
   inspected: InspectedView,
   eye: Vector3,
   layers: Layers,
+  speed_unit: SpeedUnit,
 ): Name[] {
   const names: Name[] = [];
   if (layers.laid) names.push(...laid_names(session, eye));
   if (layers.inspected) {
     for (const [key, surface] of session.surfaces) {
       const at = inspected.middle_of(surface);
-      const text = `${surface.name} ${percent_text(surface.seen)}`;
+      const text = `${surface.name} ${done_text(surface.seen)}`;
       if (at !== null) names.push({ key: `surface ${key}`, text, at, tone: '' });
     }
     const found = [...session.findings.values()].flat();
@@ -72,6 +73,6 @@ export function site_names(
   const wind = layers.wind && eye.y > 0 ? wind_of(session) : null;
   const [tip] = wind === null ? [] : wind_tips(session, wind, eye);
   if (wind !== null && tip !== undefined)
-    names.push({ key: 'wind', text: `${wind.speed_m_s.toFixed(1)} m/s`, at: tip, tone: '' });
+    names.push({ key: 'wind', text: speed_text(wind.speed_m_s, speed_unit), at: tip, tone: '' });
   return names;
 }

@@ -1,18 +1,32 @@
 // The same in words: bed, wind, what is laid, thrusters at work, what is inspected and found.
-import { heading_text, level_text, metres_text, percent_text } from '../look/units';
+import {
+  done_text,
+  heading_text,
+  level_text,
+  metres_text,
+  percent_text,
+  speed_text,
+  type SpeedUnit,
+} from '../look/units';
 import { holes_in } from '../session/bed';
 import { length_m } from '../session/laid';
 import { vehicle_name, type Session } from '../session/state';
 import { finding_text } from './site_names';
-import { wind_of } from './wind_view';
+import { is_calm, wind_of } from './wind_view';
 
-function wind_words(session: Session): string[] {
+function wind_words(session: Session, speed_unit: SpeedUnit): string[] {
   const wind = wind_of(session);
   if (wind === null) return [];
   const where = wind.is_at_hub ? 'at hub height, ' : '';
-  const from = heading_text((wind.from_deg * Math.PI) / 180);
-  const high = metres_text(wind.high_m);
-  return [`Wind ${where}${high} up: ${wind.speed_m_s.toFixed(1)} m/s from ${from}.`];
+  const { speed_m_s, from_deg } = wind;
+  const from =
+    from_deg === null ? ', its direction is not known' : ` from ${heading_of_deg(from_deg)}`;
+  const what = is_calm(wind) ? 'calm' : `${speed_text(speed_m_s, speed_unit)}${from}`;
+  return [`Wind ${where}${metres_text(wind.high_m)} up: ${what}.`];
+}
+
+function heading_of_deg(deg: number): string {
+  return heading_text((deg * Math.PI) / 180);
 }
 
 function bed_words({ bed }: Session): string[] {
@@ -30,23 +44,27 @@ function bed_words({ bed }: Session): string[] {
   const unknown =
     holes === 0
       ? ''
-      : ` At ${holes} of ${bed.up_m.length} places nobody knows it; it has holes there.`;
+      : ` The bed is unknown at ${holes} of ${bed.up_m.length} places: holes in the picture.`;
   const about = `over ${across} by ${across}, a height each ${metres_text(bed.step_m)}`;
   return [`The bed, ${about}: ${levels}; level beyond.${unknown}`];
 }
 
 function laid_words({ cables, moorings }: Session): string[] {
   const lines = cables.map(({ id, route, burial_m }) => {
-    const buried = burial_m === 0 ? 'on the bed' : `${metres_text(burial_m, 1)} deep in the bed`;
-    const how = burial_m === null ? 'nobody says whether it is buried' : buried;
-    return `Cable ${id}, ${metres_text(length_m(route))} of it here; ${how}.`;
+    const buried = burial_m === 0 ? 'on the bed' : `buried ${metres_text(burial_m, 1)}`;
+    const how = burial_m === null ? 'whether it is buried is not known' : buried;
+    return `Cable ${id}: ${metres_text(length_m(route))} shown, ${how}.`;
   });
   for (const { id, fairlead, anchor } of moorings) {
-    const ends = `${level_text(fairlead.up_m)} to its anchor ${level_text(anchor.up_m)}`;
+    const ends = `from ${level_text(fairlead.up_m)} to its anchor ${level_text(anchor.up_m)}`;
     const long = metres_text(length_m([fairlead, anchor]));
-    lines.push(`Mooring ${id}, from ${ends}: ${long} in a straight way.`);
+    lines.push(`Mooring ${id}: ${ends}, ${long} in a straight line. How it hangs is not known.`);
   }
   return lines;
+}
+
+function push_text(share: number): string {
+  return share < 0 ? `${percent_text(-share)} backwards` : percent_text(share);
 }
 
 function thrust_words(session: Session): string[] {
@@ -56,7 +74,7 @@ function thrust_words(session: Session): string[] {
     const at_work = shares
       .map((share, nth) => ({ share, name: names[nth] ?? String(nth + 1) }))
       .filter(({ share }) => Math.abs(share) >= 0.02)
-      .map(({ share, name }) => `${name} at ${percent_text(share)}`);
+      .map(({ share, name }) => `${name} at ${push_text(share)}`);
     const what = at_work.length === 0 ? 'all at rest' : at_work.join(', ');
     if (shares.length > 0) lines.push(`Thrusters of ${vehicle_name(session, vehicle)}: ${what}.`);
   }
@@ -69,7 +87,7 @@ function inspected_words(session: Session): string[] {
     const of = kind === '' ? name : `${name} (${kind.replaceAll('_', ' ')})`;
     const wanted = asked === null ? '' : ` of ${percent_text(asked)} asked`;
     const who = vehicle_name(session, vehicle);
-    lines.push(`${who} inspects ${of}: ${percent_text(seen)} covered${wanted}.`);
+    lines.push(`${who} inspects ${of}: ${done_text(seen)} covered${wanted}.`);
   }
   for (const finding of [...session.findings.values()].flat()) {
     const by = finding.by === '' ? '' : `, by ${finding.by}`;
@@ -87,9 +105,9 @@ function picture_words(session: Session): string[] {
   });
 }
 
-export function site_in_words(session: Session): string[] {
+export function site_in_words(session: Session, speed_unit: SpeedUnit): string[] {
   return [
-    ...wind_words(session),
+    ...wind_words(session, speed_unit),
     ...bed_words(session),
     ...laid_words(session),
     ...thrust_words(session),

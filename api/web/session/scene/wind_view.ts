@@ -19,7 +19,7 @@ const CALM_M_S = 0.1;
 
 export interface Wind {
   speed_m_s: number;
-  from_deg: number;
+  from_deg: number | null; // null: a calm has none
   high_m: number;
   is_at_hub: boolean;
 }
@@ -31,17 +31,21 @@ export function wind_of({ weather, turbines }: Session): Wind | null {
     from_deg: number | null,
     high_m: number,
     is_at_hub: boolean,
-  ): Wind | null =>
-    speed_m_s === null || from_deg === null ? null : { speed_m_s, from_deg, high_m, is_at_hub };
+  ): Wind | null => (speed_m_s === null ? null : { speed_m_s, from_deg, high_m, is_at_hub });
   if (weather === null) return null;
   if (turbines === null || turbines.places.length === 0)
     return told(weather.wind_m_s, weather.wind_from_deg, 10, false);
   return told(weather.hub_wind_m_s, weather.hub_wind_from_deg, turbines.hub_height_m, true);
 }
 
-/** Where the tips of its arrows are, the nearest first. */
+export function is_calm(wind: Wind): boolean {
+  return wind.speed_m_s <= CALM_M_S;
+}
+
+/** Where the tips of its arrows are, the nearest first; none in a calm. */
 export function wind_tips(session: Session, wind: Wind, eye: Vector3): Place[] {
   const { turbines } = session;
+  if (wind.from_deg === null || is_calm(wind)) return [];
   const from_rad = (wind.from_deg * Math.PI) / 180;
   const before_m = BEFORE_DIAMETERS * (turbines?.rotor_diameter_m ?? 0);
   const places = wind.is_at_hub ? (turbines?.places ?? []) : [{ east_m: 0, north_m: 0 }];
@@ -80,11 +84,11 @@ export class WindView {
     const wind = wind_of(session);
     this.paint.color.set(colour);
     this.arrows.begin();
-    if (wind !== null && wind.speed_m_s > CALM_M_S && eye.y > 0)
+    if (wind !== null && eye.y > 0)
       for (const tip of wind_tips(session, wind, eye)) {
         const { part } = this.arrows;
         part.position.copy(at_place(tip));
-        part.rotation.set(0, Math.PI - (wind.from_deg * Math.PI) / 180, 0);
+        part.rotation.set(0, Math.PI - ((wind.from_deg ?? 0) * Math.PI) / 180, 0);
         part.scale.setScalar((wind.is_at_hub ? 6 : 1.5) * wind.speed_m_s);
         this.arrows.add();
       }

@@ -135,6 +135,11 @@ test('a rotor looks into the wind and turns as fast as it is told, clockwise fro
   const middle = new Vector3(0, 0, 126).applyMatrix4(matrix);
   near(middle.distanceTo(new Vector3(126, 90, 0)), 0, 1e-3);
   near(wake.instanceColor!.getX(0), 0.5, 1e-6);
+  // In a calm nobody tells a direction: they stay as they are.
+  view.show({ ...weather, hub_wind_m_s: 0, hub_wind_from_deg: null }, 102, true, eye);
+  rotors.getMatrixAt(1, matrix);
+  const still = new Vector3(0, 0, -1).transformDirection(matrix);
+  near(still.distanceTo(new Vector3(-1, 0, 0)), 0, 1e-6);
 });
 
 test('the scene is told in words', () => {
@@ -164,7 +169,7 @@ test('the scene is told in words', () => {
     ],
   });
   session.weather = weather;
-  assert.deepEqual(scene_in_words(session, approaches_in(session)), [
+  assert.deepEqual(scene_in_words(session, approaches_in(session), 'm/s'), [
     'Wind, waves and current are of the forecast borkum 2026-06-21; ' +
       'set by hand: water visibility. Vehicles are as the twin has them.',
     'The sun stands 59° high at 164°; a clear sky is supposed.',
@@ -248,7 +253,7 @@ test('of a recording whose forecast is gone it is said why', () => {
   });
   assert.equal(session.forecast, undefined);
   assert.equal(session.sea, null);
-  assert.deepEqual(scene_in_words(session, []), [
+  assert.deepEqual(scene_in_words(session, [], 'm/s'), [
     'Waves, wind, current, turbines and traffic of this run are not shown: ' +
       'the forecast is not in the store.',
   ]);

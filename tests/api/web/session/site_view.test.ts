@@ -234,10 +234,25 @@ test('the wind is at hub height before the nearest turbines, else over the origi
     [1360, 860, 460],
   ); // west of their rotors
   assert.equal(tips[0]!.up_m, 90);
-  assert.ok(site_in_words(session).includes('Wind at hub height, 90 m up: 9.0 m/s from 270°.'));
+  assert.ok(
+    site_in_words(session, 'm/s').includes('Wind at hub height, 90 m up: 9.0 m/s from 270°.'),
+  );
   session.turbines = null;
   assert.deepEqual(wind_of(session), { speed_m_s: 7, from_deg: 180, high_m: 10, is_at_hub: false });
-  assert.ok(site_in_words(session).includes('Wind 10 m up: 7.0 m/s from 180°.'));
+  assert.ok(site_in_words(session, 'm/s').includes('Wind 10 m up: 7.0 m/s from 180°.'));
+  assert.ok(site_in_words(session, 'knots').includes('Wind 10 m up: 13.6 kn from 180°.'));
+  const label = (): string[] =>
+    site_names(session, new InspectedView(new Scene()), new Vector3(0, 5, 0), ALL_LAYERS, 'knots')
+      .filter((it) => it.key === 'wind')
+      .map((it) => it.text);
+  assert.deepEqual(label(), ['13.6 kn']); // 7 m/s of 1852 m an hour
+  tell(session, { is: 'weather', wind_m_s: 0, wind_from_deg: null });
+  assert.ok(site_in_words(session, 'm/s').includes('Wind 10 m up: calm.'));
+  assert.deepEqual(label(), [], 'there is no arrow');
+  assert.equal(has_layer('wind', session, null), true);
+  tell(session, { is: 'weather', wind_m_s: 7, wind_from_deg: null });
+  const unknown = 'Wind 10 m up: 7.0 m/s, its direction is not known.';
+  assert.ok(site_in_words(session, 'm/s').includes(unknown));
   session.weather = null;
   assert.equal(wind_of(session), null);
 });
@@ -417,21 +432,25 @@ test('surfaces and the nearest findings have names, and all of it is told in wor
   const [surface] = session.surfaces.values();
   view.take(surface!, read_surface_mesh(SQUARE)!);
   const names = (layers = ALL_LAYERS): string[] =>
-    site_names(session, view, new Vector3(0, -28, 0), layers).map((it) => it.text);
+    site_names(session, view, new Vector3(0, -28, 0), layers, 'm/s').map((it) => it.text);
   assert.deepEqual(names(), ['export', 'old', 'M1', 'plate 50 %', 'crack 12 cm']);
   assert.deepEqual(names({ ...ALL_LAYERS, inspected: false }), ['export', 'old', 'M1']);
-  assert.deepEqual(site_in_words(session), [
+  assert.deepEqual(site_in_words(session, 'm/s'), [
     'The bed, over 10 m by 10 m, a height each 10 m: 24.0 m deep to 20.0 m deep; level beyond. ' +
-      'At 1 of 4 places nobody knows it; it has holes there.',
-    'Cable export, 50 m of it here; 1.5 m deep in the bed.',
-    'Cable old, 9 m of it here; nobody says whether it is buried.',
-    'Mooring M1, from 10.0 m deep to its anchor 10.0 m deep: 50 m in a straight way.',
-    'Thrusters of rov: 1 at 50 %, 3 at -25 %.',
+      'The bed is unknown at 1 of 4 places: holes in the picture.',
+    'Cable export: 50 m shown, buried 1.5 m.',
+    'Cable old: 9 m shown, whether it is buried is not known.',
+    'Mooring M1: from 10.0 m deep to its anchor 10.0 m deep, 50 m in a straight line. ' +
+      'How it hangs is not known.',
+    'Thrusters of rov: 1 at 50 %, 3 at 25 % backwards.',
     'rov inspects plate (bed): 50 % covered of 90 % asked.',
     'rov found: crack 12 cm, 30.0 m deep, by rov_camera.',
     'rov found: marine growth, 30.0 m deep.',
     'The last picture of rov camera of rov was taken at 12.3 s of the run.',
   ]);
+  surface!.seen = 0.8999; // of 90 % asked
+  assert.equal(names()[3], 'plate 89 %');
+  assert.ok(site_in_words(session, 'm/s')[5]!.endsWith(': 89 % covered of 90 % asked.'));
   assert.equal(finding_text({ ...session.findings.get(0)![0]!, size_m: 0.004 }), 'crack 0.4 cm');
   assert.equal(finding_text({ ...session.findings.get(0)![0]!, size_m: 2 }), 'crack 2.0 m');
 });

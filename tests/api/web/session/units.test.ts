@@ -17,6 +17,14 @@ test('HeadingsHaveThreeDigitsAndNever360', () => {
   assert.equal(units.heading_text(-Math.PI / 2), '270°');
 });
 
+test('WhatIsDoneIsRoundedDown', () => {
+  assert.equal(units.done_text(0.8999), '89 %');
+  assert.equal(units.done_text(0.9999), '99 %');
+  for (let parts = 0; parts <= 100; parts += 1)
+    assert.equal(units.done_text(parts / 100), `${parts} %`);
+  assert.equal(units.done_text(null), '–');
+});
+
 test('BelowTheSeaIsADepthAboveItAHeight', () => {
   assert.equal(units.level_text(-12), '12.0 m deep');
   assert.equal(units.level_text(25), '25.0 m up');
