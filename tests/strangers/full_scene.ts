@@ -2,6 +2,7 @@
 // cables, 20 moorings, and two inspected surfaces of 10 000 patches, half covered, within its
 // budgets: seen whole from afar, and from near with its detail. How long drawing takes is the
 // graphics card's matter; what is counted is the script, and what it asks for.
+import { PerspectiveCamera, type InstancedMesh } from 'three';
 import { Tracks } from 'page/view/tracks';
 import { SceneView } from 'page/scene/scene_view';
 import { empty_session, show_frame, tell } from 'page/session/state';
@@ -114,6 +115,7 @@ const gl = canvas.getContext('webgl2');
 
 interface Asked {
   script_ms: number;
+  median_ms: number;
   calls: number;
   triangles: number;
   labels: number;
@@ -126,7 +128,10 @@ function drawn(pictures: number): Asked {
     for (const pose of poses) pose.east_m += 0.05; // all go on
     show_frame(session, { ...frame, number, time_s: 0.05 * number, poses });
     // What changes changes each time: coverage and thrust are told again.
-    tell(session, { is: 'covered', vehicle: 0, surface: number % 2, seen: 0.5, runs: [[5000, 1]] });
+    const covered = [[5000 + number, 1]]; // one more patch each time
+    tell(session, { is: 'covered', vehicle: 0, surface: number % 2, seen: 0.5, runs: covered });
+    const thrusts = many(20, (i) => [i, ...mounts.map((_, j) => 100 * Math.sin(i + j + number))]);
+    tell(session, { is: 'thrusts', thrusts });
     const begin = performance.now();
     view.draw(shown);
     took_ms.push(performance.now() - begin);
@@ -136,13 +141,32 @@ function drawn(pictures: number): Asked {
   const { calls, triangles } = view.asked();
   const labels = box.querySelectorAll('span:not([hidden])').length;
   // The least of them: the machine of a test is busy with something else, too.
-  return { script_ms: Math.min(...took_ms), calls, triangles, labels };
+  took_ms.sort((a, b) => a - b);
+  const [script_ms, median_ms] = [took_ms[0]!, took_ms[Math.floor(took_ms.length / 2)]!];
+  return { script_ms, median_ms, calls, triangles, labels };
 }
 
 view.see_all(session);
 view.eye.turn(0, 1);
 view.eye.closer(0.002); // so far away that all of it is in view
 const afar = drawn(10);
+
+/** As many as its rotors have: more where some are drawn in detail. */
+function rotor_triangles(): number {
+  const bodies = view.scene.getObjectByName('turbines')!.children as InstancedMesh[];
+  return bodies
+    .filter((it) => it.name === 'rotors')
+    .reduce((sum, { count, geometry }) => sum + (count * geometry.getIndex()!.count) / 3, 0);
+}
+const plain = rotor_triangles();
+// Who is among them with a headset has their detail, wherever the desk looked from.
+const camera = new PerspectiveCamera(95, 16 / 9, 0.1, 20_000);
+camera.position.set(-1000, 90, 400);
+view.visitor = { camera, is_table: false, eye: () => camera.position, before_drawn: () => {} };
+view.draw(shown);
+const in_detail = rotor_triangles();
+view.visitor = null;
+
 view.eye.stand = 'follow';
 view.eye.turn(0, -1);
 view.eye.closer(400); // beside the first vehicle, among the others, between the piles
@@ -161,11 +185,13 @@ const faults = [
   // From afar vehicles, vessels and surfaces are marks; from near there is all of it.
   afar.calls < near.calls ? '' : 'expected fewer calls from afar',
   near.triangles - afar.triangles > 40_000 ? '' : 'expected the patches of both piles from near',
+  plain > 0 && in_detail > plain ? '' : 'expected detail of turbines by the eye of a headset',
   afar.labels >= 28 ? '' : 'expected 28 names at least',
 ];
 const said = ([where, it]: readonly [string, Asked]): string => {
   const asked = `${it.calls} calls, ${it.triangles} triangles, ${it.labels} names`;
-  return `${where}: ${it.script_ms.toFixed(1)} ms of script a frame, ${asked}`;
+  const took = `${it.script_ms.toFixed(1)} ms, half of them ${it.median_ms.toFixed(1)} ms or less`;
+  return `${where}: script of the quickest frame ${took}; ${asked}`;
 };
 document.title = JSON.stringify({
   said: (

@@ -1,11 +1,11 @@
-// in_browser.mjs MODULES SCRIPT: runs the script in Chromium. It leaves {said, fault} as JSON in the title; a fault, or an error
-// that nobody caught, fails. SLACKWATER_SCENE_MINUTES: how long a long session is (drawn_long.ts).
+// in_browser.mjs MODULES SCRIPT [MINUTES]: runs the script in Chromium. It leaves {said, fault} as JSON in the title; a fault, or an
+// error that nobody caught, fails. MINUTES: how long its session is (drawn_long.ts); it may take the longer.
 import { strict as assert } from "node:assert";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 
-const [modules, script] = process.argv.slice(2);
-const minutes = Number(process.env.SLACKWATER_SCENE_MINUTES ?? 30);
+const [modules, script, told] = process.argv.slice(2);
+const minutes = Number(told ?? 0);
 const LIMIT_MS = 120000 + 6000 * minutes; // generous: the machine of a test is busy with something else, too
 const require = createRequire(join(resolve(modules), "/"));
 const browser = await require("puppeteer-core").launch({

@@ -76,7 +76,7 @@ try {
   await page.waitForFunction((since) => window.heard.shown.some((it) => it.at_ms > since + 1500), { timeout: LIMIT_MS, polling: 50 }, woken_ms);
   const heard = await page.evaluate(() => window.heard);
 
-  // It did sleep: of a minute at 20 frames a second, and timers each 100 ms, nothing was heard and said.
+  // It did sleep: of the 20 frames a second, and of timers each 100 ms, nothing was heard and said.
   const meanwhile = (it) => (it.at_ms ?? it) > asleep_ms + 1000 && (it.at_ms ?? it) < woken_ms;
   assert.equal(heard.said.filter(meanwhile).length + heard.frames.filter(meanwhile).length, 0, "it did not sleep");
   const fresh = heard.shown.find((it) => it.at_ms >= woken_ms && it.grade !== "red" && it.grade !== undefined);
@@ -85,13 +85,20 @@ try {
   assert(took_ms < AWAKE_WITHIN_MS, `the newest picture was there after ${took_ms} ms`);
   // Nobody reads for a frozen tab: the server may have ended the link meanwhile, and it is made anew.
   assert(heard.sockets <= 2, `${heard.sockets} links`);
+  // 20 of the first second, 20 that the server may have sent ahead of what the page said it saw, 5 for uneven timers.
+  const MOST_FRAMES = 45;
+  // The second that it fell asleep at, the next one where frames were sent ahead; that of its waking, and the next.
+  const MOST_TIMES = 4;
+  // Of 45 frames 9 times `saw`, 3 more by time, a `hello` and 6 times `time` over a new link are 19, and as many again for a slow
+  // machine. Timers of 20 s that are made up for were 50 times `saw` and 10 times `time` more.
+  const MOST_SAID = 40;
   const soon = (at_ms) => at_ms >= woken_ms && at_ms < woken_ms + 1000;
   const frames = heard.frames.filter(soon).length;
-  assert(frames <= 45, `${frames} frames in the first second: those of the past, too`);
+  assert(frames <= MOST_FRAMES, `${frames} frames in the first second: those of the past, too`);
   const times = new Set(heard.shown.filter((it) => soon(it.at_ms)).map((it) => it.time));
-  assert(times.size <= 4, `it went through ${[...times].join(", ")}`);
+  assert(times.size <= MOST_TIMES, `it went through ${[...times].join(", ")}`);
   const said = heard.said.filter((it) => soon(it.at_ms)).map((it) => it.what);
-  assert(said.every((it) => ["time", "saw", "hello"].includes(it)) && said.length <= 40, `it said ${said.join()}`);
+  assert(said.every((it) => ["time", "saw", "hello"].includes(it)) && said.length <= MOST_SAID, `it said ${said.join()}`);
   console.log(`asleep for ${ASLEEP_S} s, then the newest frame ${took_ms} ms after waking, over ${heard.sockets === 1 ? "the same" : "a new"} link; ${frames} frames and ${said.length} words in the first second`);
 } finally {
   await browser.close();
