@@ -69,6 +69,17 @@ test('what could not be sent is told later, and over a new link all is told agai
   ]);
 });
 
+test('what a link did not take is told again over the same link', () => {
+  const attention = new Attention();
+  const told: number[] = [];
+  for (let ms = 0; ms <= 3000; ms += 50)
+    attention.tell(at('rov'), ms, 1, () => {
+      if (ms >= 500) told.push(ms);
+      return ms >= 500;
+    });
+  assert.deepEqual(told, [750]); // refused at 350, when the gaze begins anew
+});
+
 test('on the plan the nearest thing within reach has the gaze', () => {
   const session = empty_session();
   const vehicle = read_vehicle({ vehicle: 0, name: 'rov', kind: 'rov', length_m: 1, width_m: 1 });
