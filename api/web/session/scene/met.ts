@@ -36,11 +36,11 @@ export function name_of({ object, instanceId }: Intersection): string {
   return (thing !== null && told_of(thing).names?.[instanceId ?? 0]) || '';
 }
 
-/** Things of a scene that can be met: all that it gave a name. */
+/** Things of a scene that a line can meet: those with a name. */
 export function that_hide(scene: Object3D): Object3D[] {
   return scene.children.filter((it) => it.name !== '');
 }
-/** Those of them that are somewhere. */
+/** Those of them that stand somewhere, and are not all about. */
 export function that_can_be_pressed(scene: Object3D): Object3D[] {
   return that_hide(scene).filter((it) => told_of(it).is_all_about !== true);
 }
