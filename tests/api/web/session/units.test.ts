@@ -1,7 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import * as units from 'page/look/units';
-import { default_settings, read_settings } from 'page/look/settings';
 import { Camera, round_below } from 'page/view/camera';
 
 test('AKnotIs1852MetresAnHour', () => {
@@ -59,20 +58,6 @@ test('SecondsLeftAreNeverBelowNone', () => {
     ],
     [10, 1, 0],
   );
-});
-
-test('OfKeptSettingsOnlyWhatIsSoundIsTaken', () => {
-  const otherwise = default_settings(false);
-  assert.deepEqual(read_settings('{', otherwise), otherwise);
-  assert.deepEqual(
-    read_settings('{"palette":"pink","site_offset_hours":99,"token":"x"}', otherwise),
-    otherwise,
-  );
-  assert.deepEqual(read_settings('{"palette":"night","speed_unit":"knots"}', otherwise), {
-    ...otherwise,
-    palette: 'night',
-    speed_unit: 'knots',
-  });
 });
 
 test('ZoomKeepsThePlaceUnderTheFinger', () => {

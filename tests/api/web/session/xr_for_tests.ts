@@ -1,0 +1,47 @@
+// What tests of a headset share: near values and places, and hands as the headset reads them.
+import assert from 'node:assert/strict';
+import { Quaternion, Vector3 } from 'three';
+import type { Gate } from 'page/drive/stick';
+import type { HandReading, Side } from 'page/xr/reading';
+
+export const near = (found: number | undefined, expected: number, within = 1e-9): void =>
+  assert.ok(
+    found !== undefined && Math.abs(found - expected) <= within,
+    `${found}, not ${expected}`,
+  );
+export const near_place = (found: Vector3, x: number, y: number, z: number): void => {
+  near(found.distanceTo(new Vector3(x, y, z)), 0, 1e-6);
+};
+
+const SIDES: Record<Side, number> = { left: -0.2, right: 0.2 };
+export function controller(side: Side, given: Partial<HandReading> = {}): HandReading {
+  const spot = { at: new Vector3(SIDES[side], 1.2, -0.3), turned: new Quaternion() };
+  return {
+    side,
+    kind: 'controller',
+    is_tracked: true,
+    grip: spot,
+    ray: spot,
+    joints: null,
+    is_pressed: false,
+    press_at: spot.at,
+    is_squeezed: false,
+    is_pointing: false,
+    is_hold: false,
+    stick: { right: 0, up: 0 },
+    ...given,
+  };
+}
+export const hand_at = (at: Vector3, is_pressed: boolean, turned = new Quaternion()): HandReading =>
+  controller('right', { kind: 'hand', press_at: at, grip: { at, turned }, is_pressed });
+
+export const OPEN: Gate = {
+  is_open: true,
+  buffered_bytes: 0,
+  is_hidden: false,
+  has_focus: true,
+  clock_is_known: true,
+  frame_age_ms: 50,
+  has_helm: true,
+};
+export const ZERO = { surge: 0, sway: 0, heave: 0, yaw: 0 };
