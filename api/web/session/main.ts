@@ -96,7 +96,7 @@ const top = top_bar(
 const table = vehicle_table(station, choose);
 const state = state_panel(station);
 const helm = helm_panel(station);
-const orders = orders_bar(station);
+const orders = orders_bar(station, stick);
 const drive = drive_panel(station, stick);
 const way = waypoint_edit(
   station,

@@ -4,6 +4,7 @@
 // - When it is let go, zero goes out, once. Never the last stick again.
 // - Where nothing may be sent (no link, page hidden, picture old, …) nothing is kept for later, and
 //   after it the dead-man must be let go and pressed anew.
+// - HOLD and other orders take the vehicle from the stick: nothing follows them, not even its zero.
 // - One hand drives at a time. A pad that comes or comes back drives nothing until its button was
 //   up.
 
@@ -104,6 +105,15 @@ export class Stick {
     this.hands[source] = { is_held: false, was_up: false, lean: NO_LEAN };
   }
 
+  /**
+   * An order takes the vehicle from the stick: no end goes out, for its zero would overrule the
+   * order. What is held must be let go first.
+   */
+  drop(): void {
+    this.driver = null;
+    for (const hand of Object.values(this.hands)) if (hand.is_held) hand.was_up = false;
+  }
+
   get driving_hand(): Source | null {
     return this.driver;
   }
@@ -112,8 +122,7 @@ export class Stick {
   tick(gate: Gate): Tick {
     const block = block_of(gate);
     if (block !== null) {
-      this.driver = null;
-      for (const hand of Object.values(this.hands)) if (hand.is_held) hand.was_up = false;
+      this.drop();
       return { lean: null, is_driving: false, is_end: false, block, must_release: this.any_held() };
     }
 

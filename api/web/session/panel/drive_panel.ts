@@ -31,9 +31,10 @@ export function drive_panel(station: Station, stick: Stick): DrivePanel {
   };
   const keep_depth = toggle('Keep the depth (no heave)', (is_on) => (stick.keep_depth = is_on));
   const keep_heading = toggle('Keep the heading (no yaw)', (is_on) => (stick.keep_heading = is_on));
-  const keep_place = button('Keep this place', () =>
-    station.command(`Keep the place of ${station.chosen_name()}`, { do: 'hold' }),
-  );
+  const keep_place = button('Keep this place', () => {
+    stick.drop();
+    station.command(`Keep the place of ${station.chosen_name()}`, { do: 'hold' });
+  });
   const reach = element('select');
   for (const share of [0.1, 0.25, 0.5, 0.75, 1])
     reach.append(element('option', { value: share }, ''));

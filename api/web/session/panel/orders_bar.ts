@@ -3,7 +3,7 @@
 import { button, element, set_disabled, set_text } from '../../look/element';
 import { ready_canvas } from '../look/canvas';
 import { colours } from '../look/palette';
-import { NO_LEAN, type Lean } from '../drive/stick';
+import { NO_LEAN, type Lean, type Stick } from '../drive/stick';
 import { line } from '../view/draw';
 import type { Panel, Station } from '../station';
 
@@ -17,10 +17,11 @@ export interface OrdersBar extends Panel {
   said(): { text: string; is_alarm: boolean };
 }
 
-export function orders_bar(station: Station): OrdersBar {
+export function orders_bar(station: Station, stick: Pick<Stick, 'drop'>): OrdersBar {
   const order = (what: string, command: string) => (): void => {
-    if (station.chosen !== null)
-      station.command(`${what} ${station.chosen_name()}`, { do: command });
+    if (station.chosen === null) return;
+    stick.drop();
+    station.command(`${what} ${station.chosen_name()}`, { do: command });
   };
   const hold_now = order('HOLD', 'hold');
   const hold = button('HOLD', hold_now, { class: 'hold' });

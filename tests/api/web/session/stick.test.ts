@@ -119,3 +119,29 @@ test('VelocityIsMetresPerSecondDownAndStarboard', () => {
   assert.deepEqual(velocity, [0.75, -0.75, 0.75, 0.25]);
   assert.ok(velocity_of(ZERO, 1.5, 0.5).every((it) => Object.is(it, 0)));
 });
+
+test('AnOrderTakesTheVehicleFromTheStickAndNoZeroFollowsIt', () => {
+  for (const source of ['keys', 'pad', 'touch', 'headset'] as const) {
+    const stick = new Stick();
+    stick.set(source, false, ZERO);
+    stick.set(source, true, AHEAD);
+    assert.deepEqual(stick.tick(OPEN).lean, AHEAD);
+    stick.drop(); // HOLD goes out
+    for (let i = 0; i < 5; i += 1) {
+      const held = stick.tick(OPEN);
+      assert.equal(held.lean, null, source);
+      assert.equal(held.must_release, true);
+    }
+    stick.set(source, false, ZERO);
+    assert.equal(stick.tick(OPEN).lean, null, `${source}: the zero of a release`);
+    stick.set(source, true, AHEAD);
+    assert.deepEqual(stick.tick(OPEN).lean, AHEAD); // pressed anew
+  }
+});
+
+test('AReleaseThatWaitsForItsTickDoesNotFollowAnOrder', () => {
+  const stick = driving();
+  stick.set('keys', false, ZERO);
+  stick.drop();
+  assert.equal(stick.tick(OPEN).lean, null);
+});
