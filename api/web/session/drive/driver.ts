@@ -23,16 +23,21 @@ import type { Headset } from '../xr/headset';
 
 export const TICK_MS = 50;
 
+const LET_GO = 'Let the stick go, then hold it again.';
+const OPEN_HAND = 'Open your hand, then squeeze again.';
+const NOT_IN_SIGHT = 'The scene is not in sight. Nothing is sent.';
+
 /**
- * What holds now of what must hold before anything is sent. `is_in_headset`: somebody wears one and
- * sees the scene, which counts as the focus.
+ * What holds now of what must hold before anything is sent. `is_by_headset`: somebody wears one and
+ * sees the scene, which counts as the focus; or its hand drove until now, and its zero is to go
+ * out.
  */
-export function gate_of(station: Station, is_in_headset = false): Gate {
+export function gate_of(station: Station, is_by_headset = false): Gate {
   return {
     is_open: station.wire.is_open,
     buffered_bytes: station.wire.buffered_bytes,
     is_hidden: document.hidden,
-    has_focus: document.hasFocus() || is_in_headset,
+    has_focus: document.hasFocus() || is_by_headset,
     clock_is_known: station.wire.clock.is_known,
     frame_age_ms: station.picture_age_ms(),
     has_helm: station.has_helm(),
@@ -50,7 +55,7 @@ export class Driver {
     private readonly pads: PadReader,
     private readonly panel: DrivePanel,
     private readonly bar: OrdersBar,
-    private readonly headset: Pick<Headset, 'look' | 'is_seen' | 'is_worn'>,
+    private readonly headset: Pick<Headset, 'look' | 'is_seen' | 'words_at_rest'>,
   ) {}
 
   tick(): void {
@@ -61,17 +66,30 @@ export class Driver {
       this.bar.show_taken('', false);
       stick.tick({ ...gate_of(station), has_helm: false });
     }
+    const shares = panel.shares();
+    this.look_at_desk();
+    // Raw thrusters are sliders at the desk: a squeeze would send them unseen.
+    if (shares === null) this.headset.look(stick);
+    else stick.lose('headset');
+
+    const is_by_headset = this.headset.is_seen() || stick.driving_hand === 'headset';
+    const tick = stick.tick(gate_of(station, is_by_headset));
+    if (tick.lean !== null) this.send(tick, tick.lean, shares);
+    if (tick.is_end || tick.block !== null || tick.must_release) panel.zero_shares();
+    this.show(tick, shares);
+  }
+
+  /** Also where a headset opens the gate, the hands at the desk need the window's focus. */
+  private look_at_desk(): void {
+    const { stick, panel } = this;
+    if (!document.hasFocus()) {
+      for (const source of ['pad', 'keys', 'touch'] as const) stick.lose(source);
+      return;
+    }
     const pads: readonly (PadLike | null)[] = navigator.getGamepads?.() ?? [];
     panel.show_pad(this.pads.look(pads, stick));
     stick.set('keys', this.keys.is_held, this.keys.lean());
     stick.set('touch', panel.touch_is_held(), panel.touch_lean());
-    this.headset.look(stick);
-
-    const tick = stick.tick(gate_of(station, this.headset.is_seen()));
-    const shares = panel.shares();
-    if (tick.lean !== null) this.send(tick, tick.lean, shares);
-    if (tick.is_end || tick.block !== null) panel.zero_shares();
-    this.show(tick, shares);
   }
 
   private send(tick: Tick, lean: Lean, shares: number[] | null): void {
@@ -105,6 +123,7 @@ export class Driver {
   }
 
   private show(tick: Tick, shares: number[] | null): void {
+    const worn = this.headset.words_at_rest(); // empty where nobody wears it
     const lean = tick.lean !== null && tick.is_driving ? tick.lean : null;
     if (lean !== null) {
       this.bar.show_stick(
@@ -116,11 +135,14 @@ export class Driver {
     }
     if (tick.block !== null) {
       const is_alarm = tick.block !== 'no_helm' && this.station.has_helm();
-      this.bar.show_stick(null, BLOCK_TEXT[tick.block], is_alarm);
+      const is_menu = worn !== '' && tick.block === 'no_focus';
+      this.bar.show_stick(null, is_menu ? NOT_IN_SIGHT : BLOCK_TEXT[tick.block], is_alarm);
     } else if (tick.must_release) {
-      this.bar.show_stick(null, 'Let the stick go, then hold it again.', true);
-    } else if (this.headset.is_worn()) {
-      this.bar.show_stick(NO_LEAN, 'Stick at rest. Squeeze or pinch to drive.', false);
+      this.bar.show_stick(null, worn === '' ? LET_GO : OPEN_HAND, true);
+    } else if (worn !== '' && shares !== null) {
+      this.bar.show_stick(null, 'Raw thrusters: not from a headset.', true);
+    } else if (worn !== '') {
+      this.bar.show_stick(NO_LEAN, worn, false);
     } else if (
       !leaves_keys_alone(document.activeElement) &&
       document.querySelector('dialog[open]') === null

@@ -21,6 +21,13 @@ export class Headset {
   is_worn(): boolean {
     return this.stay !== null;
   }
+  /** What it says of the stick where no hand is on it; empty: nobody wears it. */
+  words_at_rest(): string {
+    if (this.stay === null) return '';
+    return this.stay.wearer.is_table
+      ? 'At the table nothing drives.'
+      : 'Stick at rest. Squeeze or pinch to drive.';
+  }
   words(): string {
     const { stay } = this;
     if (stay === null) return '';

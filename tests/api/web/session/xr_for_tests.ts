@@ -45,3 +45,17 @@ export const OPEN: Gate = {
   has_helm: true,
 };
 export const ZERO = { surge: 0, sway: 0, heave: 0, yaw: 0 };
+
+/** In place of what a browser has and Node has not. What is returned puts back what was there. */
+export function put_globals(given: Record<string, unknown>): () => void {
+  const before = Object.keys(given).map(
+    (name) => [name, Object.getOwnPropertyDescriptor(globalThis, name)] as const,
+  );
+  for (const [name, value] of Object.entries(given))
+    Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
+  return () => {
+    for (const [name, was] of before)
+      if (was === undefined) Reflect.deleteProperty(globalThis, name);
+      else Object.defineProperty(globalThis, name, was);
+  };
+}
