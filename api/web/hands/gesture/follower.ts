@@ -5,6 +5,7 @@
 // - Two fingers up: apart zooms in, together out.
 // - All else is rest: an open hand, a fist, no hand, a hand that is not sure or jumps, a picture
 //   that is old. A second hand is not looked at.
+import { beyond } from '../../look/beyond';
 import { MOST, NO_TURN, WISH_IS_VALID_MS, type CameraWish } from '../../look/camera_wish';
 import {
   at,
@@ -16,7 +17,7 @@ import {
   type Hand,
   type Point,
 } from './hand';
-import { beyond, eased } from './rate';
+import { eased } from './rate';
 import { shape_of, type Shape } from './shape';
 
 export const LEAST_SURENESS = 0.7;

@@ -1,6 +1,7 @@
 // A gamepad of the standard mapping: left stick surge and yaw, right stick heave and sway, a
 // shoulder button is the dead-man. A pad that is plugged in, or that comes and goes, does nothing
 // by itself.
+import { beyond } from '../../look/beyond';
 import type { Lean, Stick } from './stick';
 
 const DEAD_ZONE = 0.12;
@@ -16,9 +17,7 @@ export interface PadLike {
 
 /** Nothing in the middle, then evenly up to one. */
 export function beyond_dead_zone(value: number): number {
-  const size = Math.abs(value);
-  if (!(size > DEAD_ZONE)) return 0;
-  return Math.sign(value) * Math.min(1, (size - DEAD_ZONE) / (1 - DEAD_ZONE));
+  return beyond(value, DEAD_ZONE, 1);
 }
 
 export function pad_lean(pad: PadLike): Lean {

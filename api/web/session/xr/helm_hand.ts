@@ -1,11 +1,13 @@
 // A hand in the headset as a hand on the session's stick. Squeezed, a controller's thumb-sticks
 // lean it, as those of a gamepad do; a bare hand that pinches leans it by how far it was moved and
 // turned since. It tells the one Stick that keys and gamepads tell; who may send what is known
-// there.
+// there. What an axis of a controller means hangs on how many there are: where one comes or goes in
+// the middle of a squeeze, the hand is lost.
 import { Quaternion, Vector3 } from 'three';
+import { beyond } from '../../look/beyond';
 import { beyond_dead_zone } from '../drive/gamepad';
 import { NO_LEAN, type Lean, type Stick } from '../drive/stick';
-import type { HandReading, Side } from './reading';
+import { SIDES, type HandReading, type Side } from './reading';
 
 const OLDEST_MS = 500; // of a frame of the headset; a loop that stalls is a hand that is gone
 const REST_M = 0.02;
@@ -13,16 +15,12 @@ const FULL_M = 0.12;
 const REST_RAD = 0.14;
 const FULL_RAD = 0.7;
 
-/** Nothing at rest, then evenly up to one. */
-function share_beyond(value: number, rest: number, full: number): number {
-  const size = Math.abs(value);
-  if (!(size > rest)) return 0;
-  return Math.sign(value) * Math.min(1, (size - rest) / (full - rest));
-}
+const seen_controllers = (hands: readonly HandReading[]): HandReading[] =>
+  hands.filter((it) => it.kind === 'controller' && it.is_tracked);
 
 /** Left stick ahead and turn, right stick sideways and up and down; one alone ahead and turn. */
 export function controllers_lean(hands: readonly HandReading[]): Lean {
-  const there = hands.filter((it) => it.kind === 'controller' && it.is_tracked);
+  const there = seen_controllers(hands);
   const right = there.length > 1 ? there.find((it) => it.side === 'right') : undefined;
   const left = there.find((it) => it !== right);
   const axis = (value: number | undefined): number => beyond_dead_zone(value ?? 0);
@@ -48,10 +46,10 @@ export function moved_lean(from: PinchedFrom, at: Vector3, turned: Quaternion): 
   const twist_rad = 2 * Math.atan2(since.y, since.w);
   const within_rad = Math.atan2(Math.sin(twist_rad), Math.cos(twist_rad));
   return {
-    surge: share_beyond(0 - moved.z, REST_M, FULL_M),
-    sway: share_beyond(moved.x, REST_M, FULL_M),
-    heave: share_beyond(0 - moved.y, REST_M, FULL_M),
-    yaw: share_beyond(0 - within_rad, REST_RAD, FULL_RAD),
+    surge: beyond(0 - moved.z, REST_M, FULL_M),
+    sway: beyond(moved.x, REST_M, FULL_M),
+    heave: beyond(0 - moved.y, REST_M, FULL_M),
+    yaw: beyond(0 - within_rad, REST_RAD, FULL_RAD),
   };
 }
 
@@ -59,14 +57,21 @@ export function moved_lean(from: PinchedFrom, at: Vector3, turned: Quaternion): 
 const is_dead_man = (hand: HandReading): boolean =>
   hand.kind === 'hand' ? hand.is_pressed : hand.is_squeezed;
 
+const sides_of = (hands: readonly HandReading[]): string =>
+  seen_controllers(hands)
+    .map((it) => it.side)
+    .sort()
+    .join();
+
 export class HelmHand {
   private holder: Side | null = null;
+  private held_among = ''; // the controllers that were seen when the squeeze began
   private from: PinchedFrom | null = null;
   private lean: Lean = NO_LEAN;
   private is_lost = true; // since somebody looked
   private taken_ms = -Infinity;
   // Not seen open since they were lost, or held while they might not be on the stick.
-  private readonly must_open = new Set<Side>(['left', 'right']);
+  private readonly must_open = new Set<Side>(SIDES);
 
   /** The dead-man is held. */
   get held_by(): Side | null {
@@ -81,19 +86,23 @@ export class HelmHand {
     now_ms: number,
   ): void {
     this.taken_ms = now_ms;
-    for (const hand of hands) {
-      if (!is_dead_man(hand)) this.must_open.delete(hand.side);
-      else if (!may(hand) || !hand.is_tracked) this.must_open.add(hand.side);
+    for (const side of SIDES) {
+      const hand = hands.find((it) => it.side === side);
+      if (hand === undefined || !hand.is_tracked) this.must_open.add(side);
+      else if (!is_dead_man(hand)) this.must_open.delete(side);
+      else if (!may(hand)) this.must_open.add(side);
     }
     if (this.holder !== null) {
       const holder = hands.find((it) => it.side === this.holder);
       if (holder === undefined || !holder.is_tracked) return this.lose();
+      if (holder.kind === 'controller' && sides_of(hands) !== this.held_among) return this.lose();
       if (!may(holder) || !is_dead_man(holder)) this.let_go();
     }
     if (this.holder === null) {
       const found = hands.find((it) => is_dead_man(it) && !this.must_open.has(it.side));
       if (found === undefined) return;
       this.holder = found.side;
+      this.held_among = sides_of(hands);
       if (found.kind === 'hand' && found.press_at !== null && found.grip !== null)
         this.from = { at: found.press_at, turned: found.grip.turned, ahead_rad };
     }
@@ -108,7 +117,7 @@ export class HelmHand {
   lose(): void {
     this.let_go();
     this.is_lost = true;
-    this.must_open.add('left').add('right');
+    for (const side of SIDES) this.must_open.add(side);
   }
 
   /** Twenty times a second, with the other hands on the stick. */

@@ -4,6 +4,7 @@ import { Matrix4, Quaternion, Vector3 } from 'three';
 import { INDEX_TIP, is_pinch, is_pointing_hand, JOINTS, THUMB_TIP, WRIST } from './joints';
 
 export type Side = 'left' | 'right';
+export const SIDES: readonly Side[] = ['left', 'right'];
 
 export interface Spot {
   at: Vector3;
@@ -32,7 +33,7 @@ export interface HandReading {
 const BUTTON = { trigger: 0, squeeze: 1, lower: 4, upper: 5 };
 const PRESSED_FROM = 0.5;
 
-function spot_of(pose: XRPose | null | undefined): Spot | null {
+export function spot_of(pose: XRPose | null | undefined): Spot | null {
   if (pose == null) return null;
   const at = new Vector3();
   const turned = new Quaternion();

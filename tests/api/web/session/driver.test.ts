@@ -10,9 +10,8 @@ import type { Json } from 'page/session/message';
 import { empty_session } from 'page/session/state';
 import type { Station } from 'page/station';
 import { HelmHand } from 'page/xr/helm_hand';
-import { controller, put_globals } from './xr_for_tests';
+import { controller, put_globals, SQUEEZED, ZERO } from './xr_for_tests';
 
-const SQUEEZED = controller('left', { is_squeezed: true, stick: { right: 0, up: 1 } });
 const OPENED = controller('left');
 const PAD = { index: 0, connected: true, axes: [0, -1, 0, 0] };
 
@@ -56,7 +55,7 @@ class Page {
       zero_shares: () => (this.raw = this.raw?.map(() => 0) ?? null),
       show_pad: () => undefined,
       touch_is_held: () => false,
-      touch_lean: () => ({ surge: 0, sway: 0, heave: 0, yaw: 0 }),
+      touch_lean: () => ZERO,
     };
     const bar = {
       show_stick: (_lean: unknown, text: string) => (this.words = text),

@@ -5,10 +5,9 @@ import { Quaternion, Vector3 } from 'three';
 import { Stick } from 'page/drive/stick';
 import { controllers_lean, HelmHand, moved_lean } from 'page/xr/helm_hand';
 import type { HandReading } from 'page/xr/reading';
-import { controller, near, OPEN, ZERO } from './xr_for_tests';
+import { controller, near, OPEN, SQUEEZED, ZERO } from './xr_for_tests';
 
 const always = (): boolean => true;
-const SQUEEZED = controller('left', { is_squeezed: true, stick: { right: 0, up: 1 } });
 
 test('two controllers lean as the two sticks of a gamepad do, one alone ahead and turn', () => {
   const left = controller('left', { stick: { right: -1, up: 0.5 } });
@@ -42,7 +41,11 @@ test('a pinched hand leans by how far it was moved, seen from who moves it', () 
 });
 
 /** A stick that is driven by a squeeze, and the hand that does it. */
-function driven(): { stick: Stick; helm: HelmHand; frame: (...it: HandReading[]) => void } {
+function driven(...others: HandReading[]): {
+  stick: Stick;
+  helm: HelmHand;
+  frame: (...it: HandReading[]) => void;
+} {
   const [stick, helm] = [new Stick(), new HelmHand()];
   let now_ms = 0;
   const frame = (...hands: HandReading[]): void => {
@@ -50,9 +53,9 @@ function driven(): { stick: Stick; helm: HelmHand; frame: (...it: HandReading[])
     helm.take(hands, 0, always, now_ms);
     helm.look(stick, now_ms);
   };
-  for (let i = 0; i < 2; i += 1) frame(controller('left')); // new hands, then open ones
+  for (let i = 0; i < 2; i += 1) frame(controller('left'), ...others); // new hands, then open
   stick.tick(OPEN);
-  frame(controller('left', { is_squeezed: true, stick: { right: 0, up: 1 } }));
+  frame(SQUEEZED, ...others);
   assert.deepEqual(stick.tick(OPEN).lean, { ...ZERO, surge: 1 });
   return { stick, helm, frame };
 }
@@ -97,14 +100,57 @@ test('a loss between two looks is not missed', () => {
 });
 
 test('another hand that is squeezed does not go on where one was lost', () => {
-  const { stick, frame } = driven();
+  const { stick, frame } = driven(controller('right'));
   const other = controller('right', { is_squeezed: true, stick: { right: 0, up: 1 } });
   frame(SQUEEZED, other);
-  stick.tick(OPEN);
+  assert.deepEqual(stick.tick(OPEN).lean, { ...ZERO, surge: 1, heave: -1 });
   frame(other);
   assert.deepEqual(stick.tick(OPEN).lean, ZERO);
   frame(other);
   assert.equal(stick.tick(OPEN).lean, null);
+});
+
+test('a second controller that comes or goes in the middle of a squeeze changes no axis', () => {
+  // Leaned up, the right one is ahead where it is alone, and up beside a left one.
+  const leaned = controller('right', { is_squeezed: true, stick: { right: 0.8, up: 1 } });
+  const beside = controller('left');
+  for (const [before, after] of [
+    [[], [beside]],
+    [[beside], []],
+    [[beside], [{ ...beside, is_tracked: false }]],
+  ]) {
+    const [stick, helm] = [new Stick(), new HelmHand()];
+    let now_ms = 0;
+    const frame = (...hands: HandReading[]): void => {
+      now_ms += 20;
+      helm.take(hands, 0, always, now_ms);
+      helm.look(stick, now_ms);
+    };
+    for (let i = 0; i < 2; i += 1) frame(controller('right'), ...before!);
+    frame(leaned, ...before!);
+    const { surge, heave } = stick.tick(OPEN).lean!;
+    assert.deepEqual([surge, heave], before!.length === 0 ? [1, 0] : [0, -1]);
+    frame(leaned, ...after!);
+    assert.deepEqual(stick.tick(OPEN).lean, ZERO);
+    for (let i = 0; i < 5; i += 1) {
+      frame(leaned, ...after!);
+      assert.equal(stick.tick(OPEN).lean, null);
+    }
+    frame({ ...leaned, is_squeezed: false }, ...after!);
+    frame(leaned, ...after!);
+    assert.ok(stick.tick(OPEN).lean !== null, 'squeezed anew');
+  }
+});
+
+test('a hand that comes back squeezed drives nothing, though another was on the stick', () => {
+  const { stick, frame } = driven(controller('right'));
+  frame({ ...SQUEEZED, is_squeezed: false }, controller('right'));
+  stick.tick(OPEN);
+  frame(controller('right')); // the left one is gone
+  for (let i = 0; i < 3; i += 1) {
+    frame(SQUEEZED, controller('right'));
+    assert.equal(stick.tick(OPEN).lean, null);
+  }
 });
 
 test('a hand that held before it might, as one that comes from the table, drives nothing', () => {

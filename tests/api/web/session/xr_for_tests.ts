@@ -13,9 +13,9 @@ export const near_place = (found: Vector3, x: number, y: number, z: number): voi
   near(found.distanceTo(new Vector3(x, y, z)), 0, 1e-6);
 };
 
-const SIDES: Record<Side, number> = { left: -0.2, right: 0.2 };
+const EAST_M: Record<Side, number> = { left: -0.2, right: 0.2 };
 export function controller(side: Side, given: Partial<HandReading> = {}): HandReading {
-  const spot = { at: new Vector3(SIDES[side], 1.2, -0.3), turned: new Quaternion() };
+  const spot = { at: new Vector3(EAST_M[side], 1.2, -0.3), turned: new Quaternion() };
   return {
     side,
     kind: 'controller',
@@ -32,6 +32,9 @@ export function controller(side: Side, given: Partial<HandReading> = {}): HandRe
     ...given,
   };
 }
+/** Held on the stick, and leaned ahead. */
+export const SQUEEZED = controller('left', { is_squeezed: true, stick: { right: 0, up: 1 } });
+
 export const hand_at = (at: Vector3, is_pressed: boolean, turned = new Quaternion()): HandReading =>
   controller('right', { kind: 'hand', press_at: at, grip: { at, turned }, is_pressed });
 
@@ -44,7 +47,7 @@ export const OPEN: Gate = {
   frame_age_ms: 50,
   has_helm: true,
 };
-export const ZERO = { surge: 0, sway: 0, heave: 0, yaw: 0 };
+export { NO_LEAN as ZERO } from 'page/drive/stick';
 
 /** In place of what a browser has and Node has not. What is returned puts back what was there. */
 export function put_globals(given: Record<string, unknown>): () => void {
