@@ -14,7 +14,7 @@ import {
 } from 'three';
 import { colours } from '../look/palette';
 import type { BoardButton, BoardLine } from './board_words';
-import type { Spot } from './reading';
+import { SIDES, type Side, type Spot } from './reading';
 
 const [WIDE_PX, HIGH_PX, PER_M] = [560, 700, 1500];
 const [EDGE_PX, LINE_PX, BUTTON_PX] = [20, 34, 54];
@@ -40,7 +40,7 @@ export class Board {
   private readonly texture: CanvasTexture;
   private buttons: readonly BoardButton[] = [];
   private drawn = '';
-  private touching = new Set<string>();
+  private readonly touching = new Set<Side>(SIDES); // it must be seen away before it touches
   private is_placed = false;
 
   constructor() {
@@ -65,6 +65,7 @@ export class Board {
     const is_near = this.is_placed && to_it.length() < 2 * AWAY_M;
     if (is_near && to_it.angleTo(ahead) < LEFT_BEHIND_RAD) return;
     this.is_placed = true;
+    for (const side of SIDES) this.lose(side); // it came to the finger, not the finger to it
     const to = ahead.applyAxisAngle(UP, TO_THE_LEFT_RAD);
     this.mesh.position.copy(head.at).addScaledVector(to, AWAY_M);
     this.mesh.position.y -= BELOW_M;
@@ -118,7 +119,7 @@ export class Board {
   }
 
   /** A finger tip that comes through it presses once. In the headset's own metres. */
-  touch(side: string, tip: Vector3): boolean {
+  touch(side: Side, tip: Vector3): boolean {
     const local = tip.clone().sub(this.mesh.position);
     local.applyQuaternion(this.mesh.quaternion.clone().invert() as Quaternion);
     const at = new Vector2((local.x * PER_M) / WIDE_PX + 0.5, (local.y * PER_M) / HIGH_PX + 0.5);
@@ -128,6 +129,11 @@ export class Board {
     if (!this.touching.has(side)) this.button_at(at)?.press();
     this.touching.add(side);
     return true;
+  }
+
+  /** The hand is gone: it must be seen away from the board before it touches it. */
+  lose(side: Side): void {
+    this.touching.add(side);
   }
 
   dispose(): void {

@@ -13,8 +13,9 @@ import { board_lines, helm_buttons, may_hold, type BoardButton } from './board_w
 import { Flight, narrowed, out_of_bed_m, SEATED_LIFT_M, SnapTurn } from './comfort';
 import type { HelmHand } from './helm_hand';
 import type { Mode } from './modes';
-import { HandReader, turn_of, type HandReading, type Side } from './reading';
 import { INDEX_TIP } from './joints';
+import { Presses } from './presses';
+import { HandReader, SIDES, turn_of, type HandReading, type Side } from './reading';
 import { TableHand } from './table';
 import { FloorAhead } from './floor_ahead';
 import { landing_of } from './teleport';
@@ -45,8 +46,8 @@ export class Stay {
   private readonly flight = new Flight();
   private readonly floor = new FloorAhead();
   private hands: HandReading[] = [];
-  private pressed = new Set<Side>();
-  private busy = new Set<Side>();
+  private readonly presses = new Presses();
+  private readonly busy = new Set<Side>(); // with the board
   private was_hold = false;
   private throwing: Side | null = null;
   private rides: { vehicle: number; at: Vector3 } | null = null;
@@ -78,7 +79,7 @@ export class Stay {
 
   /** Hands that are drawn, in words. */
   hands_text(): string {
-    const parts = (['left', 'right'] as const).flatMap((side) => {
+    const parts = SIDES.flatMap((side) => {
       const { controller_is_drawn, joints_drawn } = this.wearer.hands[side];
       if (controller_is_drawn) return [`${side} controller`];
       return joints_drawn > 0 ? [`${side} hand (${joints_drawn} joints)`] : [];
@@ -88,8 +89,11 @@ export class Stay {
 
   let_go(): void {
     this.helm.lose();
+    this.presses.lose_all();
     this.table.lose();
+    for (const side of SIDES) this.wearer.board.lose(side);
     this.throwing = null;
+    this.wearer.throw_mark.hide();
     this.lent.people.point_at(null);
   }
 
@@ -145,11 +149,12 @@ export class Stay {
   private use_hands(step_s: number): void {
     const { hands, helm, wearer } = this;
     const { station, orders } = this.lent;
+    this.presses.look(hands);
     this.press_board();
     const is_hold = hands.some((it) => it.is_hold);
     if (is_hold && !this.was_hold && may_hold(station)) orders.hold();
     this.was_hold = is_hold;
-    if (wearer.is_table) this.table.take(hands, this.busy);
+    if (wearer.is_table) this.table.take(hands, this.presses, this.busy);
     else this.throw_on();
     const may = (it: HandReading): boolean =>
       !wearer.is_table &&
@@ -162,7 +167,7 @@ export class Stay {
     this.narrow = narrowed(this.narrow, wants && is_moved, step_s);
     wearer.vignette.show(this.narrow);
     this.point();
-    for (const side of ['left', 'right'] as const) {
+    for (const side of SIDES) {
       const hand = hands.find((it) => it.side === side) ?? null;
       wearer.hands[side].show(hand, helm.held_by === side, helm.held_by !== side);
     }
@@ -170,25 +175,30 @@ export class Stay {
 
   /** A press that begins on the board is the board's until it ends. */
   private press_board(): void {
-    const { rig, board } = this.wearer;
-    const pressed = new Set<Side>();
-    for (const hand of this.hands) {
-      const tip = hand.joints?.[INDEX_TIP];
-      const touches = tip !== undefined && !hand.is_pressed && board.touch(hand.side, tip);
-      if (hand.is_pressed) pressed.add(hand.side);
-      const begins = hand.is_pressed && !this.pressed.has(hand.side);
-      if (!hand.is_pressed) this.busy.delete(hand.side);
+    const { presses, busy, wearer } = this;
+    const { rig, board } = wearer;
+    for (const side of SIDES) {
+      if (!presses.is_held(side)) busy.delete(side);
+      const hand = this.hands.find((it) => it.side === side);
+      if (hand?.is_tracked !== true) {
+        board.lose(side);
+        continue;
+      }
       const { ray } = hand;
-      const meets =
-        begins && ray !== null && board.press(rig.in_scene(ray.at), rig.along(ray.turned));
-      if (meets || touches) this.busy.add(hand.side);
+      if (
+        presses.begins(side) &&
+        ray !== null &&
+        board.press(rig.in_scene(ray.at), rig.along(ray.turned))
+      )
+        busy.add(side);
+      const tip = hand.joints?.[INDEX_TIP];
+      if (tip !== undefined && !hand.is_pressed && board.touch(side, tip)) busy.add(side);
     }
-    this.pressed = pressed;
   }
 
   /** Pressed shows where one would come to, let go brings one there. */
   private throw_on(): void {
-    const { wearer, hands } = this;
+    const { wearer, hands, presses } = this;
     const { station } = this.lent;
     const throws = (it: HandReading): boolean =>
       it.is_tracked &&
@@ -198,7 +208,7 @@ export class Stay {
       (it.kind === 'controller' || !station.has_helm());
     const hand = hands.find((it) => it.side === this.throwing);
     if (this.throwing === null)
-      this.throwing = hands.find((it) => it.is_pressed && throws(it))?.side ?? null;
+      this.throwing = hands.find((it) => presses.begins(it.side) && throws(it))?.side ?? null;
     else if (hand === undefined || !throws(hand)) this.throwing = null;
     const thrower = hands.find((it) => it.side === this.throwing);
     if (thrower?.ray == null) return wearer.throw_mark.hide();

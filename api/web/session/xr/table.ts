@@ -3,6 +3,7 @@
 import { Vector3 } from 'three';
 import { at_place, at_scene, type Place } from '../scene/axes';
 import type { Session } from '../session/state';
+import type { Presses } from './presses';
 import type { HandReading, Side } from './reading';
 import type { Rig } from './rig';
 
@@ -66,7 +67,6 @@ export function taken_at<T extends Place>(
 export class TableHand {
   private held: Held | null = null;
   private by: Side | null = null;
-  private was_pressed = new Set<Side>();
 
   constructor(
     private readonly rig: Rig,
@@ -74,33 +74,35 @@ export class TableHand {
   ) {}
 
   /** Each frame; a side that is busy presses something else. */
-  take(hands: readonly HandReading[], busy: ReadonlySet<Side>): void {
-    const pressed = hands.filter((it) => it.is_pressed && it.is_tracked && !busy.has(it.side));
-    const holder = pressed.find((it) => it.side === this.by);
-    if (this.held !== null && holder === undefined) this.let_go();
+  take(hands: readonly HandReading[], presses: Presses, busy: ReadonlySet<Side>): void {
+    if (this.by !== null && !presses.is_held(this.by)) {
+      const holder = hands.find((it) => it.side === this.by);
+      if (holder?.is_tracked === true && !holder.is_pressed) this.let_go();
+      else this.lose();
+    }
+    const pressed = hands.filter((it) => presses.is_held(it.side) && !busy.has(it.side));
     for (const hand of pressed) {
       const at = hand.press_at === null ? null : this.rig.in_scene(hand.press_at);
       if (at === null) continue;
-      if (this.held === null && !this.was_pressed.has(hand.side)) this.hold(hand.side, at);
+      if (this.held === null && presses.begins(hand.side)) this.hold(hand.side, at);
       // The other hand pressed too: up and down on its plumb line.
       if (hand.side === this.by) this.carry(at, pressed.length > 1);
     }
-    this.was_pressed = new Set(pressed.map((it) => it.side));
   }
 
-  let_go(): void {
+  /** The hand is gone: what it held is left as it is, and nothing is chosen. */
+  lose(): void {
+    if (this.held?.is === 'vehicle') this.held = null;
+    this.let_go();
+  }
+
+  /** The hand opened. */
+  private let_go(): void {
     const { held } = this;
     if (held?.is === 'place') this.deeds.let_go();
     if (held?.is === 'vehicle') this.deeds.choose(held.vehicle);
     this.held = null;
     this.by = null;
-  }
-
-  /** What was held is left as it is. */
-  lose(): void {
-    if (this.held?.is === 'vehicle') this.held = null;
-    this.let_go();
-    this.was_pressed = new Set(['left', 'right']); // must be seen open first
   }
 
   private hold(side: Side, at: Vector3): void {

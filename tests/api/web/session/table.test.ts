@@ -5,14 +5,16 @@ import { Quaternion, Vector3 } from 'three';
 import { at_place, type Place } from 'page/scene/axes';
 import { empty_session } from 'page/session/state';
 import { FloorAhead } from 'page/xr/floor_ahead';
-import type { Side } from 'page/xr/reading';
+import { Presses } from 'page/xr/presses';
+import type { HandReading } from 'page/xr/reading';
 import { Rig } from 'page/xr/rig';
 import { lay_table, table_middle, TableHand, type TableDeeds } from 'page/xr/table';
 import { controller, hand_at, near, near_place } from './xr_for_tests';
 
 function table_with(places: Place[]): {
   rig: Rig;
-  hand: TableHand;
+  take: (...hands: HandReading[]) => void;
+  lose: () => void;
   told: string[];
   local: (place: Place) => Vector3;
 } {
@@ -32,9 +34,17 @@ function table_with(places: Place[]): {
     choose: (vehicle) => told.push(`choose ${vehicle}`),
   };
   const local = (place: Place): Vector3 => rig.inner.worldToLocal(at_place(place));
-  return { rig, hand: new TableHand(rig, deeds), told, local };
+  const [hand, presses] = [new TableHand(rig, deeds), new Presses()];
+  const take = (...hands: HandReading[]): void => {
+    presses.look(hands);
+    hand.take(hands, presses, new Set());
+  };
+  const lose = (): void => {
+    presses.lose_all();
+    hand.lose();
+  };
+  return { rig, take, lose, told, local };
 }
-const none: ReadonlySet<Side> = new Set();
 
 test('the table lies half a metre below the eyes, 0.6 m ahead, 1:500', () => {
   const { rig, local } = table_with([]);
@@ -47,34 +57,35 @@ test('the table lies half a metre below the eyes, 0.6 m ahead, 1:500', () => {
 
 test('a pinched place moves by the hand times 500, level, and the other hand lifts it', () => {
   const places = [{ east_m: 100, north_m: 350, up_m: -12 }];
-  const { hand, told, local, rig } = table_with(places);
+  const { take, told, local, rig } = table_with(places);
   const at = local(places[0]!);
-  hand.take([hand_at(at, false)], none);
-  hand.take([hand_at(at, true)], none);
+  const other = controller('left');
+  take(hand_at(at, false), other);
+  take(hand_at(at, true), other);
   const moved = new Vector3(0.03, 0.02, -0.01); // in the hand's own axes
-  hand.take([hand_at(at.clone().add(moved), true)], none);
+  take(hand_at(at.clone().add(moved), true), other);
   // The rig was not turned: its axes are east, up and south.
   near(places[0]!.east_m, 100 + 500 * 0.03, 0.01);
   near(places[0]!.north_m, 350 + 500 * 0.01, 0.01);
   near(places[0]!.up_m, -12);
-  const other = controller('left', { is_pressed: true });
-  hand.take([hand_at(at.clone().add(moved), true), other], none);
+  take(hand_at(at.clone().add(moved), true), { ...other, is_pressed: true });
   near(places[0]!.up_m, -12 + 500 * 0.02, 1e-6);
-  hand.take([hand_at(at, false)], none);
+  take(hand_at(at, false));
   assert.deepEqual(told, ['pick 0', 'let go']);
   near(rig.scale, 500);
 });
 
 test('a vehicle is chosen by a pinch on it, and not by one that drags the table', () => {
-  const { hand, told, local, rig } = table_with([]);
+  const { take, told, local, rig } = table_with([]);
   const at = local({ east_m: 200, north_m: 300, up_m: -10 });
-  hand.take([hand_at(at, true)], none);
-  hand.take([hand_at(at, false)], none);
+  take(hand_at(at, false));
+  take(hand_at(at, true));
+  take(hand_at(at, false));
   assert.deepEqual(told, ['choose 4']);
-  hand.take([hand_at(at, true)], none);
-  hand.take([hand_at(at.clone().setX(at.x + 0.1), true)], none);
-  hand.take([hand_at(at.clone().setX(at.x + 0.2), true)], none);
-  hand.take([hand_at(at, false)], none);
+  take(hand_at(at, true));
+  take(hand_at(at.clone().setX(at.x + 0.1), true));
+  take(hand_at(at.clone().setX(at.x + 0.2), true));
+  take(hand_at(at, false));
   assert.deepEqual(told, ['choose 4']);
   // It has moved along with the hand, as far as that went.
   near_place(
@@ -87,17 +98,47 @@ test('a vehicle is chosen by a pinch on it, and not by one that drags the table'
 
 test('what is beyond reach is not taken, and what is held when a hand is lost stays', () => {
   const places = [{ east_m: 100, north_m: 350, up_m: -12 }];
-  const { hand, told, local } = table_with(places);
+  const { take, lose, told, local } = table_with(places);
   const at = local(places[0]!);
-  hand.take([hand_at(at.clone().setY(at.y + 0.031), true)], none); // reach is 0.03 m
-  hand.take([], none);
+  take(hand_at(at, false));
+  take(hand_at(at.clone().setY(at.y + 0.031), true)); // reach is 0.03 m
+  take();
   assert.deepEqual(told, []);
-  hand.take([hand_at(at, true)], none);
-  hand.take([{ ...hand_at(at.clone().setX(at.x + 1), true), is_tracked: false }], none);
+  take(hand_at(at, false));
+  take(hand_at(at, true));
+  take({ ...hand_at(at.clone().setX(at.x + 1), true), is_tracked: false });
   near(places[0]!.east_m, 100);
-  hand.lose();
-  hand.take([hand_at(at, true)], none); // still pinched: not taken again
   assert.deepEqual(told, ['pick 0', 'let go']);
+  for (let i = 0; i < 3; i += 1) take(hand_at(at, true)); // still pinched: not taken again
+  assert.deepEqual(told, ['pick 0', 'let go']);
+  take(hand_at(at, false));
+  take(hand_at(at, true));
+  lose(); // the headset is hidden
+  for (let i = 0; i < 3; i += 1) take(hand_at(at, true));
+  assert.deepEqual(told, ['pick 0', 'let go', 'pick 0', 'let go']);
+});
+
+test('a hand that is lost on a vehicle chooses nothing', () => {
+  const { take, lose, told, local } = table_with([]);
+  const at = local({ east_m: 200, north_m: 300, up_m: -10 });
+  const losses: [string, () => void][] = [
+    ['gone', () => take()],
+    ['untracked', () => take({ ...hand_at(at, true), is_tracked: false })],
+    // Without its joints nobody knows whether it pinches.
+    ['untracked and open', () => take({ ...hand_at(at, false), is_tracked: false })],
+    ['hidden', lose],
+  ];
+  for (const [how, lost] of losses) {
+    take(hand_at(at, false));
+    take(hand_at(at, true));
+    lost();
+    take(hand_at(at, true));
+    take(hand_at(at, false));
+    assert.deepEqual(told, [], how);
+  }
+  take(hand_at(at, true));
+  take(hand_at(at, false));
+  assert.deepEqual(told, ['choose 4'], 'seen open before');
 });
 
 test('the middle of the table is the chosen vehicle at sea level, or the middle of all', () => {
