@@ -90,7 +90,7 @@ const dialog = settings_dialog(settings, redraw);
 const top = top_bar(
   station,
   () => link,
-  () => dialog.showModal(),
+  () => dialog.open(),
   () => wire.leave(),
 );
 const table = vehicle_table(station, choose);
@@ -201,6 +201,7 @@ const scene = scene_panel(station, {
   shown,
   drawn: tell_drawn,
   choose,
+  drives: () => stick.driving_hand === 'headset',
   on_change: () => {
     set_hidden(plan_buttons, scene.is_open()); // the scene has its own
     canvases_are_old = true;
@@ -234,7 +235,7 @@ if (mode.has_lessons) by_id('around').append(lesson.box);
 by_id('around').append(table.box, weather.box, people.box, log.box);
 by_id('playback').append(playback.box);
 by_id('orders').append(drive.touch_box, orders.box);
-document.body.append(dialog);
+document.body.append(dialog.node);
 
 // Hands.
 listen_to_keys(keys);
@@ -256,7 +257,7 @@ addEventListener('keydown', (event) => {
     !event.altKey &&
     link.is === 'seated'
   ) {
-    if (station.has_helm() || station.is_supervisor()) orders.hold();
+    if (station.may_hold()) orders.hold();
   }
   const plays = event.code === 'Space' && !event.repeat && station.session.playback !== null;
   if (plays && leaves_keys_alone(document.activeElement)) playback.toggle();
@@ -281,6 +282,7 @@ if (mode.resets) {
     addEventListener(touch, () => idle.touch(performance.now()));
   setInterval(() => {
     const now_ms = performance.now();
+    if (scene.headset.is_worn()) idle.touch(now_ms); // whose hands touch nothing here
     if (idle.is_over(now_ms) && !lesson.reset()) idle.touch(now_ms); // again a while later
   }, 1000);
 }

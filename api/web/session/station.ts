@@ -62,6 +62,10 @@ export class Station {
     const helm = this.chosen === null ? undefined : this.session.helms.get(this.chosen);
     return this.is_supervisor() && helm !== undefined && typeof helm.holder !== 'number';
   }
+  /** HOLD is for who has the helm, and always for supervisors. */
+  may_hold(): boolean {
+    return this.chosen !== null && (this.has_helm() || this.is_supervisor());
+  }
   is_supervisor(): boolean {
     return this.session.role === 'supervisor';
   }

@@ -34,7 +34,7 @@ export type Block =
   'no_link' | 'link_behind' | 'hidden' | 'no_focus' | 'no_clock' | 'old_picture' | 'no_helm';
 
 const MOST_BUFFERED_BYTES = 8 * 1024;
-const OLDEST_PICTURE_MS = 1000;
+export const OLDEST_PICTURE_MS = 1000;
 
 export function block_of(gate: Gate): Block | null {
   if (!gate.is_open) return 'no_link';

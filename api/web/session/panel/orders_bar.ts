@@ -3,6 +3,7 @@
 import { button, element, set_disabled, set_text } from '../../look/element';
 import { ready_canvas } from '../look/canvas';
 import { colours } from '../look/palette';
+import { NOTHING_SAID, type Said } from '../look/said';
 import { NO_LEAN, type Lean, type Stick } from '../drive/stick';
 import { line } from '../view/draw';
 import type { Panel, Station } from '../station';
@@ -14,7 +15,7 @@ export interface OrdersBar extends Panel {
   /** What the server made of it. */
   show_taken(text: string, is_alarm: boolean): void;
   /** What it says of the stick, for the headset's board. */
-  said(): { text: string; is_alarm: boolean };
+  said(): Said;
 }
 
 export function orders_bar(station: Station, stick: Pick<Stick, 'drop'>): OrdersBar {
@@ -32,6 +33,7 @@ export function orders_bar(station: Station, stick: Pick<Stick, 'drop'>): Orders
   const canvas = element('canvas', { class: 'stick-view', 'aria-hidden': 'true' });
   const asked = element('p', { class: 'asked' });
   const taken = element('p', { class: 'taken' });
+  let said: Said = NOTHING_SAID;
   const box = element(
     'div',
     { class: 'orders-row' },
@@ -47,8 +49,7 @@ export function orders_bar(station: Station, stick: Pick<Stick, 'drop'>): Orders
     show: () => {
       const { session, chosen } = station;
       const mine = station.has_helm();
-      const may_hold = chosen !== null && (mine || station.is_supervisor());
-      set_disabled(hold, !may_hold);
+      set_disabled(hold, !station.may_hold());
       set_disabled(home, !station.may_direct());
       set_disabled(resume, !station.may_direct());
       set_text(target, chosen === null ? 'No vehicle is chosen' : `For ${station.chosen_name()}`);
@@ -67,13 +68,11 @@ export function orders_bar(station: Station, stick: Pick<Stick, 'drop'>): Orders
     },
     show_stick: (lean, text, is_alarm) => {
       draw_stick(canvas, lean ?? NO_LEAN, lean !== null);
+      said = { text, is_alarm };
       set_text(asked, text);
       asked.classList.toggle('alarm', is_alarm);
     },
-    said: () => ({
-      text: asked.textContent ?? '',
-      is_alarm: asked.classList.contains('alarm'),
-    }),
+    said: () => said,
     show_taken: (text, is_alarm) => {
       set_text(taken, text);
       taken.classList.toggle('alarm', is_alarm);

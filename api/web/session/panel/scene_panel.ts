@@ -18,6 +18,7 @@ import type { OrdersBar } from './orders_bar';
 import { way_tools } from './way_tools';
 import type { WaypointEdit } from './waypoint_edit';
 import { Headset } from '../xr/headset';
+import { headset_cover } from '../xr/headset_cover';
 import { headset_tools } from '../xr/headset_tools';
 
 const TURN_RAD_PER_PX = 0.006;
@@ -52,6 +53,8 @@ export interface SceneMeans {
   /** A frame was drawn in the headset. */
   drawn: () => void;
   choose: (vehicle: number) => void;
+  /** A hand of the headset drives. */
+  drives: () => boolean;
   on_change: () => void;
 }
 
@@ -126,18 +129,25 @@ export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
   const hand = way_hand(way);
   const on_way = way_tools(way, hand);
   const headset = new Headset({
-    ...means,
     station,
+    way,
+    orders: means.orders,
     people,
+    shown: means.shown,
     draw: () => {
-      draw(means.shown());
-      means.drawn();
+      if (draw(means.shown())) means.drawn();
+      cover.show();
     },
+    choose: means.choose,
+    drives: means.drives,
     on_change: () => {
       in_headset.show();
+      cover.show();
       on_change();
     },
   });
+  canvas.addEventListener('webglcontextlost', () => headset.leave());
+  const cover = headset_cover(headset);
   const in_headset = headset_tools(headset, () => view);
   const words = element('ul', {});
   const in_words = element(
@@ -160,7 +170,8 @@ export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
     ...on_way.nodes,
     ...in_headset.nodes,
   );
-  const box = element('div', { id: 'scene', hidden: true }, canvas, labels, note, tools, in_words);
+  const parts = [canvas, labels, cover.node, note, tools, in_words];
+  const box = element('div', { id: 'scene', hidden: true }, ...parts);
   by_id('plan').after(box);
 
   const open = (): void => {
@@ -252,9 +263,10 @@ export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
     deed();
   });
 
-  const draw = (now: Shown): void => {
+  /** False: there is no picture. */
+  const draw = (now: Shown): boolean => {
     shown = now;
-    if (box.hidden) return;
+    if (box.hidden) return false;
     const { speed_unit } = station.settings;
     if (view !== null) {
       view.speed_unit = speed_unit;
@@ -269,6 +281,7 @@ export function scene_panel(station: Station, means: SceneMeans): ScenePanel {
     on_way.show();
     if (view !== null) people.tell(view);
     if (in_words.open) show_words(words, now.session, speed_unit);
+    return view !== null && !view.renderer.getContext().isContextLost();
   };
 
   return {

@@ -4,55 +4,49 @@ import { use_palette } from '../look/palette';
 import { keep_settings, type Palette, type Settings } from '../look/settings';
 import type { SpeedUnit } from '../look/units';
 
-export function settings_dialog(settings: Settings, on_change: () => void): HTMLDialogElement {
-  const choice = (
-    options: readonly (readonly [string, string])[],
-    value: string,
-  ): HTMLSelectElement => {
-    const made = element(
-      'select',
-      {},
-      ...options.map(([key, text]) => element('option', { value: key }, text)),
-    );
-    made.value = value;
-    return made;
-  };
-  const palette = choice(
-    [
-      ['day', 'Day'],
-      ['dusk', 'Dusk'],
-      ['night', 'Night'],
-    ],
-    settings.palette,
-  );
-  const speed = choice(
-    [
-      ['m/s', 'm/s'],
-      ['knots', 'Knots'],
-    ],
-    settings.speed_unit,
-  );
-  const zone = choice(
-    [
-      ['utc', 'UTC'],
-      ['site', 'Site time'],
-    ],
-    settings.zone,
-  );
+export interface SettingsDialog {
+  readonly node: HTMLDialogElement;
+  open(): void;
+}
+
+export function settings_dialog(settings: Settings, on_change: () => void): SettingsDialog {
+  const choice = (options: readonly (readonly [string, string])[]): HTMLSelectElement =>
+    element('select', {}, ...options.map(([key, text]) => element('option', { value: key }, text)));
+  const palette = choice([
+    ['day', 'Day'],
+    ['dusk', 'Dusk'],
+    ['night', 'Night'],
+  ]);
+  const speed = choice([
+    ['m/s', 'm/s'],
+    ['knots', 'Knots'],
+  ]);
+  const zone = choice([
+    ['utc', 'UTC'],
+    ['site', 'Site time'],
+  ]);
   const offset = element('input', {
     type: 'number',
     min: -14,
     max: 14,
     step: 0.25,
-    value: settings.site_offset_hours,
   });
-  const check = (text: string, is_on: boolean): { field: HTMLInputElement; box: HTMLElement } => {
+  const check = (text: string): { field: HTMLInputElement; box: HTMLElement } => {
     const field = element('input', { type: 'checkbox' });
-    field.checked = is_on;
     return { field, box: element('label', { class: 'check' }, field, text) };
   };
-  const narrows = check('In a headset: narrow the view while moved', settings.headset_narrows);
-  const sits = check('In a headset: I sit', settings.headset_is_seated);
+  const narrows = check('In a headset: narrow the view while moved');
+  const sits = check('In a headset: sitting');
+  /** They may have changed elsewhere, as on a headset's board. */
+  const fill = (): void => {
+    palette.value = settings.palette;
+    speed.value = settings.speed_unit;
+    zone.value = settings.zone;
+    offset.value = String(settings.site_offset_hours);
+    narrows.field.checked = settings.headset_narrows;
+    sits.field.checked = settings.headset_is_seated;
+  };
+
   const change = (): void => {
     settings.headset_narrows = narrows.field.checked;
     settings.headset_is_seated = sits.field.checked;
@@ -82,5 +76,11 @@ export function settings_dialog(settings: Settings, on_change: () => void): HTML
       button('Close', () => dialog.close(), { class: 'strong' }),
     ),
   );
-  return dialog;
+  return {
+    node: dialog,
+    open: () => {
+      fill();
+      dialog.showModal();
+    },
+  };
 }

@@ -3,6 +3,7 @@
 // let go.
 import { button, element, labelled, set_disabled, set_hidden, set_text } from '../../look/element';
 import { notice } from '../look/notice';
+import type { Said } from '../look/said';
 import { stick_speed_m_s } from '../drive/shaped';
 import type { Answer, Waypoint } from '../session/message';
 import type { PlanDrawing, PlanHand } from '../view/plan_view';
@@ -27,8 +28,10 @@ export interface WaypointEdit extends Panel, PlanHand {
   begin(): void;
   send(): void;
   end(): void;
+  /** It is of the chosen vehicle, has places, and may be told. */
+  may_send(): boolean;
   /** What the server would say to it. */
-  words(): string;
+  said(): Said;
 }
 
 export function waypoint_edit(
@@ -196,8 +199,10 @@ export function waypoint_edit(
       });
     }, wait_ms) as unknown as number;
   };
+  const may_send = (): boolean =>
+    is_editing && station.chosen === edited && places.length > 0 && station.may_direct();
   const send_all = (): void => {
-    if (station.chosen !== edited) return;
+    if (!may_send()) return;
     station.command(`Way of ${station.chosen_name()}`, message(false), (answer) => {
       const why = answer.text || answer.reason;
       notice(
@@ -211,6 +216,7 @@ export function waypoint_edit(
     });
   };
 
+  const is_refused = (): boolean => is_editing && verdict === 'refused';
   const verdict_text = (): string => {
     if (!is_editing || verdict === 'unknown') return '';
     return verdict === 'refused' ? `Refused: ${refusal}` : 'The server would take this way.';
@@ -299,9 +305,7 @@ export function waypoint_edit(
     box,
     plan_note,
     draft: () =>
-      is_editing
-        ? { places, picked, is_refused: verdict === 'refused', is_loop: is_loop.checked }
-        : null,
+      is_editing ? { places, picked, is_refused: is_refused(), is_loop: is_loop.checked } : null,
     pick: (nth) => {
       picked = nth;
       redraw();
@@ -320,7 +324,8 @@ export function waypoint_edit(
     begin: () => start(),
     send: () => send_all(),
     end,
-    words: verdict_text,
+    may_send,
+    said: () => ({ text: verdict_text(), is_alarm: is_refused() }),
     press: (_at, pixel) => {
       if (!is_editing) return false;
       picked = nearest(pixel);
@@ -344,16 +349,16 @@ export function waypoint_edit(
       set_hidden(editor, !is_editing);
       set_hidden(begin, is_editing);
       set_disabled(begin, !station.may_direct());
-      set_disabled(send, places.length === 0 || !station.may_direct());
+      set_disabled(send, !may_send());
       set_hidden(table, places.length === 0);
       if (depth_label !== null)
         set_text(depth_label, flies() ? 'Height of new places, m' : 'Depth of new places, m');
       set_text(level_head, flies() ? 'Height, m' : 'Depth, m');
       set_text(word, verdict_text());
-      word.classList.toggle('alarm', verdict === 'refused');
+      word.classList.toggle('alarm', is_refused());
       set_hidden(plan_note, !is_editing);
       set_text(plan_note, word.textContent || 'Click to place, drag to move.');
-      plan_note.classList.toggle('alarm', verdict === 'refused');
+      plan_note.classList.toggle('alarm', is_refused());
     },
   };
 }

@@ -42,7 +42,9 @@ export class Kept {
     for (const [key, thing] of this.things) {
       if (this.seen.has(key)) continue;
       thing.traverse((part) => {
-        if (part instanceof Mesh || part instanceof Line) part.geometry.dispose();
+        if (!(part instanceof Mesh || part instanceof Line)) return;
+        part.geometry.dispose();
+        for (const material of [part.material].flat()) material.dispose();
       });
       this.scene.remove(thing);
       this.things.delete(key);

@@ -1,12 +1,12 @@
-// A board that goes along with who wears the headset: words above, buttons below, pressed by a ray
-// or a finger tip. It is drawn on a canvas, and anew only when its words have changed.
+// A board that goes along with who wears the headset: words above, buttons below, HOLD lowest, all
+// pressed by a ray or a finger tip. It is drawn on a canvas, and anew only when its words have
+// changed.
 import {
   CanvasTexture,
   LinearFilter,
   Mesh,
   MeshBasicMaterial,
   PlaneGeometry,
-  Quaternion,
   Raycaster,
   SRGBColorSpace,
   Vector2,
@@ -16,20 +16,35 @@ import { colours } from '../look/palette';
 import type { BoardButton, BoardLine } from './board_words';
 import { SIDES, type Side, type Spot } from './reading';
 
-const [WIDE_PX, HIGH_PX, PER_M] = [560, 700, 1500];
+const [WIDE_PX, HIGH_PX, PER_M] = [560, 780, 1500];
 const [EDGE_PX, LINE_PX, BUTTON_PX] = [20, 34, 54];
 const [AWAY_M, BELOW_M, TO_THE_LEFT_RAD] = [0.65, 0.15, 0.6];
 const LEFT_BEHIND_RAD = 1.4;
 const [TOUCHES_M, LEAVES_M] = [0.01, 0.04];
 const UP = new Vector3(0, 1, 0);
 
-/** Where buttons lie, two in a row, the last ones lowest: left, top, width, in the canvas. */
-export function button_boxes(many: number): { x: number; y: number; wide: number }[] {
+const LINES_FROM_PX = EDGE_PX + LINE_PX / 2;
+
+/** Left, top, width, in the canvas. */
+interface Box {
+  x: number;
+  y: number;
+  wide: number;
+}
+/** HOLD is alone in the lowest row, whatever else there is: it is found without looking for it. */
+export const HOLD_BOX: Box = {
+  x: EDGE_PX,
+  y: HIGH_PX - BUTTON_PX - 16,
+  wide: WIDE_PX - 2 * EDGE_PX,
+};
+
+/** Where the others lie, two in a row, above it. */
+export function button_boxes(many: number): Box[] {
   const rows = Math.ceil(many / 2);
   const wide = (WIDE_PX - 3 * EDGE_PX) / 2;
   return Array.from({ length: many }, (_, nth) => ({
     x: EDGE_PX + (nth % 2) * (wide + EDGE_PX),
-    y: HIGH_PX - (rows - Math.floor(nth / 2)) * (BUTTON_PX + 10) - 6,
+    y: HOLD_BOX.y - (rows - Math.floor(nth / 2)) * (BUTTON_PX + 10),
     wide,
   }));
 }
@@ -38,7 +53,7 @@ export class Board {
   readonly mesh: Mesh<PlaneGeometry, MeshBasicMaterial>;
   private readonly canvas = document.createElement('canvas');
   private readonly texture: CanvasTexture;
-  private buttons: readonly BoardButton[] = [];
+  private placed: readonly { button: BoardButton; box: Box }[] = [];
   private drawn = '';
   private readonly touching = new Set<Side>(SIDES); // it must be seen away before it touches
   private is_placed = false;
@@ -73,41 +88,65 @@ export class Board {
     this.mesh.updateMatrixWorld(true);
   }
 
-  show(lines: readonly BoardLine[], buttons: readonly BoardButton[]): void {
-    this.buttons = buttons;
+  /** @param hold null: HOLD is not there, and its row stays empty */
+  show(
+    lines: readonly BoardLine[],
+    hold: (() => void) | null,
+    buttons: readonly BoardButton[],
+  ): void {
+    const boxes = button_boxes(buttons.length);
+    const placed = buttons.map((button, nth) => ({ button, box: boxes[nth]! }));
+    if (hold !== null) placed.push({ button: { text: 'HOLD', press: hold }, box: HOLD_BOX });
+    this.placed = placed;
     const { paper, ink, alarm, accent, rule } = colours();
-    const words = JSON.stringify([lines, buttons.map((it) => it.text), paper]);
+    const words = JSON.stringify([lines, placed.map((it) => it.button.text), paper]);
     const context = this.canvas.getContext('2d');
     if (words === this.drawn || context === null) return;
     this.drawn = words;
     context.fillStyle = paper;
     context.fillRect(0, 0, WIDE_PX, HIGH_PX);
     context.textBaseline = 'middle';
-    const boxes = button_boxes(buttons.length);
-    const lowest = (boxes[0]?.y ?? HIGH_PX) - LINE_PX / 2;
-    let y = EDGE_PX + LINE_PX / 2;
-    for (const line of lines) {
-      context.font = `${line.tone === 'head' ? 'bold 32' : '24'}px system-ui, sans-serif`;
-      context.fillStyle = line.tone === 'alarm' ? alarm : ink;
-      for (const part of wrapped(context, line.text)) {
-        if (y > lowest) break;
-        context.fillText(part, EDGE_PX, y);
-        y += LINE_PX;
-      }
-    }
+    const parts = lines.flatMap((line) => {
+      const font = `${line.tone === 'head' ? 'bold 32' : '24'}px system-ui, sans-serif`;
+      context.font = font;
+      const colour = line.tone === 'alarm' ? alarm : ink;
+      return wrapped(context, line.text).map((text) => ({ text, font, colour }));
+    });
+    const top_px = boxes[0]?.y ?? HOLD_BOX.y;
+    const most = 1 + Math.floor((top_px - LINE_PX / 2 - LINES_FROM_PX) / LINE_PX);
+    if (parts.length > most)
+      parts.splice(most - 1, parts.length, { ...parts[most - 1]!, text: '…' });
+    parts.forEach(({ text, font, colour }, nth) => {
+      context.font = font;
+      context.fillStyle = colour;
+      context.fillText(text, EDGE_PX, LINES_FROM_PX + nth * LINE_PX);
+    });
     context.font = 'bold 24px system-ui, sans-serif';
     context.textAlign = 'center';
-    buttons.forEach((it, nth) => {
-      const box = boxes[nth]!;
-      context.fillStyle = it.is_strong ? alarm : rule;
+    for (const { button, box } of placed) {
+      const is_hold = box === HOLD_BOX;
+      context.fillStyle = is_hold ? alarm : rule;
       context.fillRect(box.x, box.y, box.wide, BUTTON_PX);
-      context.fillStyle = it.is_strong ? paper : ink;
-      context.fillText(it.text, box.x + box.wide / 2, box.y + BUTTON_PX / 2, box.wide - 10);
-    });
+      context.fillStyle = is_hold ? paper : ink;
+      context.fillText(button.text, box.x + box.wide / 2, box.y + BUTTON_PX / 2, box.wide - 10);
+    }
     context.textAlign = 'start';
     context.fillStyle = accent;
     context.fillRect(0, 0, WIDE_PX, 6);
     this.texture.needsUpdate = true;
+  }
+
+  /** What can be pressed, and where its middle is, in the headset's own metres. */
+  buttons(): { text: string; at: Vector3 }[] {
+    return this.placed.map(({ button, box }) => {
+      const right_px = box.x + box.wide / 2 - WIDE_PX / 2;
+      const up_px = HIGH_PX / 2 - box.y - BUTTON_PX / 2;
+      const at = new Vector3(right_px / PER_M, up_px / PER_M, 0);
+      return {
+        text: button.text,
+        at: at.applyQuaternion(this.mesh.quaternion).add(this.mesh.position),
+      };
+    });
   }
 
   /** True: the ray meets it, and what lies there is pressed, if anything does. */
@@ -121,7 +160,7 @@ export class Board {
   /** A finger tip that comes through it presses once. In the headset's own metres. */
   touch(side: Side, tip: Vector3): boolean {
     const local = tip.clone().sub(this.mesh.position);
-    local.applyQuaternion(this.mesh.quaternion.clone().invert() as Quaternion);
+    local.applyQuaternion(this.mesh.quaternion.clone().invert());
     const at = new Vector2((local.x * PER_M) / WIDE_PX + 0.5, (local.y * PER_M) / HIGH_PX + 0.5);
     const is_over = Math.min(at.x, at.y, 1 - at.x, 1 - at.y) > 0;
     if (!is_over || Math.abs(local.z) > LEAVES_M) this.touching.delete(side);
@@ -144,11 +183,10 @@ export class Board {
 
   private button_at(uv: Vector2): BoardButton | undefined {
     const [x, y] = [uv.x * WIDE_PX, (1 - uv.y) * HIGH_PX];
-    const boxes = button_boxes(this.buttons.length);
-    const nth = boxes.findIndex(
-      (it) => x >= it.x && x <= it.x + it.wide && y >= it.y && y <= it.y + BUTTON_PX,
+    const on = this.placed.find(
+      ({ box }) => x >= box.x && x <= box.x + box.wide && y >= box.y && y <= box.y + BUTTON_PX,
     );
-    return this.buttons[nth];
+    return on?.button;
   }
 }
 

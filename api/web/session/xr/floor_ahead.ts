@@ -5,6 +5,7 @@ import { Vector3 } from 'three';
 export class FloorAhead {
   /** In the headset's metres; null: nothing is found there. */
   at: Vector3 | null = null;
+  private is_over = false;
   private source: XRHitTestSource | null = null;
 
   async begin(session: XRSession): Promise<void> {
@@ -14,6 +15,18 @@ export class FloorAhead {
     } catch {
       this.source = null; // it was not granted
     }
+    if (this.is_over) this.end();
+  }
+
+  end(): void {
+    this.is_over = true;
+    try {
+      this.source?.cancel();
+    } catch {
+      // it went with its session
+    }
+    this.source = null;
+    this.at = null;
   }
 
   look(frame: XRFrame, space: XRReferenceSpace): void {

@@ -81,6 +81,15 @@ export class HandModel {
     for (const it of [this.paint, this.ink]) it.color.set(is_on_stick ? HELD : LIGHT);
   }
 
+  dispose(): void {
+    this.group.traverse((part) => {
+      if (part instanceof Mesh || part instanceof Line) part.geometry.dispose();
+    });
+    this.joints.dispose();
+    this.paint.dispose();
+    this.ink.dispose();
+  }
+
   private place_joints(joints: readonly Vector3[]): void {
     const to = new Matrix4();
     joints.forEach((at, nth) => this.joints.setMatrixAt(nth, to.setPosition(at)));

@@ -5,12 +5,13 @@ import { notice } from '../look/notice';
 import type { SceneView } from '../scene/scene_view';
 import { HelmHand } from './helm_hand';
 import { FEATURES_OF, SESSION_OF, SPACE_OF, type Mode } from './modes';
-import { Stay, type Lent } from './stay';
+import { Stay, type Lent, type OnBoard } from './stay';
 
 export class Headset {
   private readonly helm = new HelmHand();
   private stay: Stay | null = null;
   private is_asked = false;
+  private is_wanted = false; // since it was asked for nobody has left
 
   constructor(private readonly lent: Lent) {}
 
@@ -33,6 +34,9 @@ export class Headset {
     if (stay === null) return '';
     return `In the headset (${stay.mode === 'vr' ? 'VR' : 'AR'}): ${stay.hands_text()}.`;
   }
+  on_board(): OnBoard {
+    return this.stay?.on_board() ?? { lines: [], buttons: [] };
+  }
 
   /** Its hands on the stick, with the other hands. */
   look(stick: Stick): void {
@@ -44,25 +48,13 @@ export class Headset {
   async enter(mode: Mode, view: SceneView): Promise<void> {
     if (this.stay !== null || this.is_asked || navigator.xr === undefined) return;
     this.is_asked = true;
-    const { renderer } = view;
+    this.is_wanted = true;
     try {
       const session = await navigator.xr.requestSession(SESSION_OF[mode], FEATURES_OF[mode]);
-      const stay = new Stay(mode, session, view, this.helm, this.lent, () => this.leave());
-      const over = (): void => this.over(stay, view);
-      this.stay = stay;
-      session.addEventListener('end', over);
-      session.addEventListener('visibilitychange', () => {
-        if (session.visibilityState !== 'visible') stay.let_go();
-      });
-      renderer.xr.enabled = true;
-      renderer.xr.setReferenceSpaceType(SPACE_OF[mode]);
-      // Before the session is set: after it the window's own loop would run beside the headset's.
-      renderer.setAnimationLoop((now_ms, frame) => {
-        if (frame !== undefined && this.stay === stay) stay.frame(now_ms, frame);
-      });
-      await renderer.xr.setSession(session);
+      if (this.is_wanted) await this.begin(mode, session, view);
+      else await session.end();
     } catch (error) {
-      notice(`The headset is not there: ${(error as Error).message}`, 'alarm');
+      if (this.is_wanted) notice(`The headset did not start: ${(error as Error).message}`, 'alarm');
       this.leave();
       if (this.stay !== null) this.over(this.stay, view);
     } finally {
@@ -71,16 +63,37 @@ export class Headset {
     this.lent.on_change();
   }
 
+  /** Also while the browser still asks whether one may enter. */
   leave(): void {
+    this.is_wanted = false;
     void this.stay?.session.end().catch(() => undefined); // it has ended by itself
+  }
+
+  private async begin(mode: Mode, session: XRSession, view: SceneView): Promise<void> {
+    const { renderer } = view;
+    const stay = new Stay(mode, session, view, this.helm, this.lent, () => this.leave());
+    this.stay = stay;
+    session.addEventListener('end', () => this.over(stay, view));
+    session.addEventListener('visibilitychange', () => {
+      if (session.visibilityState !== 'visible') stay.let_go();
+      if (session.visibilityState === 'hidden') this.leave(); // put down: nobody sees it
+    });
+    renderer.xr.enabled = true;
+    renderer.xr.setReferenceSpaceType(SPACE_OF[mode]);
+    // Before the session is set: after it the window's own loop would run beside the headset's.
+    renderer.setAnimationLoop((now_ms, frame) => {
+      if (frame !== undefined && this.stay === stay) stay.frame(now_ms, frame);
+    });
+    await renderer.xr.setSession(session);
+    // Where it counts from elsewhere now, a hand has leaped that did not move.
+    renderer.xr.getReferenceSpace()?.addEventListener('reset', () => stay.let_go());
   }
 
   /** The headset was taken off, the session was ended or lost: the desk has its view again. */
   private over(stay: Stay, view: SceneView): void {
     if (this.stay !== stay) return;
-    stay.let_go();
     this.stay = null;
-    stay.wearer.dispose();
+    stay.end();
     // Once three has heard of it too, and has put back what it changed.
     setTimeout(() => {
       if (this.stay !== null) return;

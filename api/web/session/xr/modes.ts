@@ -18,7 +18,7 @@ export const SPACE_OF: Readonly<Record<Mode, XRReferenceSpaceType>> = {
 export const FEATURES_OF: Readonly<Record<Mode, XRSessionInit>> = {
   vr: {
     requiredFeatures: ['local-floor'],
-    optionalFeatures: ['hand-tracking', 'bounded-floor'],
+    optionalFeatures: ['hand-tracking'],
   },
   ar: {
     requiredFeatures: ['local'],

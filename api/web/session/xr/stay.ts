@@ -4,18 +4,20 @@ import { Vector3 } from 'three';
 import type { OrdersBar } from '../panel/orders_bar';
 import type { ScenePeople } from '../panel/scene_people';
 import type { WaypointEdit } from '../panel/waypoint_edit';
+import { last_notice } from '../look/notice';
 import { keep_settings } from '../look/settings';
-import { at_place } from '../scene/axes';
 import type { SceneView, Shown } from '../scene/scene_view';
 import { colours } from '../look/palette';
 import type { Station } from '../station';
-import { board_lines, helm_buttons, may_hold, type BoardButton } from './board_words';
+import { board_lines, helm_buttons, type BoardButton, type BoardLine } from './board_words';
 import { Flight, narrowed, out_of_bed_m, SEATED_LIFT_M, SnapTurn } from './comfort';
 import type { HelmHand } from './helm_hand';
 import type { Mode } from './modes';
 import { INDEX_TIP } from './joints';
+import { own_buttons } from './own_buttons';
 import { Presses } from './presses';
-import { HandReader, SIDES, turn_of, type HandReading, type Side } from './reading';
+import { HandReader, SIDES, spot_of, turn_of, type HandReading, type Side } from './reading';
+import { Ride } from './ride';
 import { TableHand } from './table';
 import { FloorAhead } from './floor_ahead';
 import { landing_of } from './teleport';
@@ -34,8 +36,16 @@ export interface Lent {
   /** Draws a frame of the scene, and tells the server so. */
   draw: () => void;
   choose: (vehicle: number) => void;
+  /** A hand of the headset is on the vehicle's stick, and that is what goes out. */
+  drives: () => boolean;
   /** It begins, ends, or has other hands. */
   on_change: () => void;
+}
+
+export interface OnBoard {
+  lines: string[];
+  /** And where each is, in the headset's own metres. */
+  buttons: { text: string; at: Vector3 }[];
 }
 
 export class Stay {
@@ -44,17 +54,18 @@ export class Stay {
   private readonly table: TableHand;
   private readonly snap = new SnapTurn();
   private readonly flight = new Flight();
+  private readonly ride = new Ride();
   private readonly floor = new FloorAhead();
   private hands: HandReading[] = [];
   private readonly presses = new Presses();
   private readonly busy = new Set<Side>(); // with the board
   private was_hold = false;
   private throwing: Side | null = null;
-  private rides: { vehicle: number; at: Vector3 } | null = null;
   private narrow = 0;
   private before_ms: number | null = null;
   private board_ms = -Infinity;
   private told = '';
+  private lines: readonly BoardLine[] = [];
 
   constructor(
     readonly mode: Mode,
@@ -87,6 +98,12 @@ export class Stay {
     return parts.length === 0 ? 'no hands seen' : parts.join(', ');
   }
 
+  /** What the board shows, for who stands beside. */
+  on_board(): OnBoard {
+    const lines = this.lines.map((it) => it.text);
+    return { lines, buttons: this.wearer.board.buttons() };
+  }
+
   let_go(): void {
     this.helm.lose();
     this.presses.lose_all();
@@ -97,20 +114,20 @@ export class Stay {
     this.lent.people.point_at(null);
   }
 
+  end(): void {
+    this.let_go();
+    this.floor.end();
+    this.wearer.dispose();
+  }
+
   frame(now_ms: number, frame: XRFrame): void {
     const space = this.view.renderer.xr.getReferenceSpace();
-    const pose = space === null ? undefined : frame.getViewerPose(space);
+    const head = space === null ? null : spot_of(frame.getViewerPose(space));
     const is_seen = this.session.visibilityState === 'visible';
-    if (space === null || pose === undefined || pose === null || !is_seen) this.let_go();
-    if (space === null || pose === undefined || pose === null) return;
-    const { rig } = this.wearer;
-    const { position, orientation } = pose.transform;
-    rig.take_head({
-      at: new Vector3(position.x, position.y, position.z),
-      turned: rig.head.quaternion
-        .clone()
-        .set(orientation.x, orientation.y, orientation.z, orientation.w),
-    });
+    if (head === null || !is_seen) this.let_go();
+    if (space === null || head === null) return;
+    this.wearer.rig.take_head(head);
+    if (!this.wearer.is_table) this.wearer.rig.lift_m = this.lift_m;
     const step_s = this.before_ms === null ? 0 : (now_ms - this.before_ms) / 1000;
     if (this.before_ms === null) this.arrive();
     this.before_ms = now_ms;
@@ -128,10 +145,9 @@ export class Stay {
 
   /** Where the desk looks from; in AR the table before the hands. */
   private arrive(): void {
-    this.wearer.rig.lift_m = this.mode === 'vr' && this.is_seated ? SEATED_LIFT_M : 0;
     if (this.mode === 'vr') this.stand();
     else {
-      this.wearer.lay_table(this.lent.shown());
+      this.lay_table();
       void this.floor.begin(this.session);
     }
   }
@@ -139,11 +155,23 @@ export class Stay {
   private stand(): void {
     const { camera } = this.view.eye;
     const { rig } = this.wearer;
-    this.wearer.stand(camera.position, turn_of(camera.quaternion), turn_of(rig.head.quaternion));
+    const [turn_rad, head_turn_rad] = [turn_of(camera.quaternion), turn_of(rig.head.quaternion)];
+    this.let_go();
+    this.ride.end();
+    rig.lift_m = this.lift_m;
+    this.wearer.stand(camera.position, turn_rad, head_turn_rad);
   }
 
-  private get is_seated(): boolean {
-    return this.lent.station.settings.headset_is_seated;
+  private lay_table(): void {
+    this.let_go();
+    this.ride.end();
+    this.wearer.lay_table(this.lent.shown());
+  }
+
+  /** As the settings have it now: they may change while it is worn. */
+  private get lift_m(): number {
+    const is_lifted = this.mode === 'vr' && this.lent.station.settings.headset_is_seated;
+    return is_lifted ? SEATED_LIFT_M : 0;
   }
 
   private use_hands(step_s: number): void {
@@ -152,7 +180,7 @@ export class Stay {
     this.presses.look(hands);
     this.press_board();
     const is_hold = hands.some((it) => it.is_hold);
-    if (is_hold && !this.was_hold && may_hold(station)) orders.hold();
+    if (is_hold && !this.was_hold && station.may_hold()) orders.hold();
     this.was_hold = is_hold;
     if (wearer.is_table) this.table.take(hands, this.presses, this.busy);
     else this.throw_on();
@@ -162,14 +190,19 @@ export class Stay {
       this.throwing !== it.side &&
       (it.kind === 'controller' || station.has_helm());
     helm.take(hands, turn_of(wearer.rig.head.quaternion), may, performance.now());
-    const is_moved = this.move(step_s) || this.ride();
+    const { poses } = station.session;
+    const flies = this.move(step_s);
+    const ridden = this.ride.step(poses);
+    if (ridden !== null) wearer.rig.move(ridden);
+    const is_moved = flies || this.ride.is_felt(poses);
     const wants = station.settings.headset_narrows && !wearer.is_table;
     this.narrow = narrowed(this.narrow, wants && is_moved, step_s);
     wearer.vignette.show(this.narrow);
     this.point();
     for (const side of SIDES) {
       const hand = hands.find((it) => it.side === side) ?? null;
-      wearer.hands[side].show(hand, helm.held_by === side, helm.held_by !== side);
+      const is_held = helm.held_by === side;
+      wearer.hands[side].show(hand, is_held && this.lent.drives(), !is_held);
     }
   }
 
@@ -227,7 +260,7 @@ export class Stay {
     this.throwing = null;
     wearer.throw_mark.hide();
     if (landing === null) return;
-    this.rides = null;
+    this.ride.end();
     wearer.rig.stand_at(landing.at);
   }
 
@@ -245,27 +278,11 @@ export class Stay {
     const by = this.flight.step(rig.looks_along(), move, rise, step_s);
     if (by.length() === 0) return false;
     rig.move(is_table ? by.multiplyScalar(rig.scale * TABLE_FLIGHT) : by);
-    if (!is_table)
-      rig.move(
-        new Vector3(
-          0,
-          out_of_bed_m(rig.head_at().y, this.view.surround.bed_under(rig.head_at())),
-          0,
-        ),
-      );
+    if (!is_table) {
+      const head = rig.head_at();
+      rig.move(new Vector3(0, out_of_bed_m(head.y, this.view.surround.bed_under(head)), 0));
+    }
     return true;
-  }
-
-  /** Goes along with a vehicle, and does not turn with it. */
-  private ride(): boolean {
-    const { rides } = this;
-    const pose = rides === null ? undefined : this.lent.station.session.poses.get(rides.vehicle);
-    if (rides === null || pose === undefined || this.wearer.is_table) return false;
-    const at = at_place(pose);
-    const by = at.clone().sub(rides.at);
-    rides.at = at;
-    this.wearer.rig.move(by);
-    return by.length() > 0;
   }
 
   private point(): void {
@@ -282,52 +299,35 @@ export class Stay {
     if (now_ms < this.board_ms + BOARD_EVERY_MS) return;
     this.board_ms = now_ms;
     const { station, orders, way } = this.lent;
-    const { text, is_alarm } = orders.said();
-    const lines = board_lines(station, {
-      stick: text,
-      stick_is_alarm: is_alarm,
-      way: way.words(),
-      notice: document.getElementById('notice')?.textContent ?? '',
+    this.lines = board_lines(station, {
+      stick: orders.said(),
+      way: way.said(),
+      notice: last_notice(),
     });
-    board.show(lines, [...helm_buttons(station, () => orders.hold()), ...this.own_buttons()]);
+    const hold = station.may_hold() ? (): void => orders.hold() : null;
+    board.show(this.lines, hold, [...helm_buttons(station), ...this.own_buttons()]);
   }
 
   private own_buttons(): BoardButton[] {
+    const { wearer, ride, floor } = this;
     const { station, way, choose, shown } = this.lent;
-    const { wearer, rides } = this;
-    const buttons: BoardButton[] = [];
-    const add = (text: string, press: () => void): void =>
-      void buttons.push({ text, is_strong: false, press });
-    if (way.draft() !== null) {
-      add('Send the way', () => way.send());
-      add('Drop the changes', () => way.end());
-    } else if (station.may_direct()) add('Edit the way', () => way.begin());
-    const vehicles = [...station.session.vehicles.keys()];
-    const next = vehicles[(vehicles.indexOf(station.chosen ?? -1) + 1) % vehicles.length];
-    if (vehicles.length > 1 && next !== undefined) add('Next vehicle', () => choose(next));
-    if (!wearer.is_table) {
-      const pose = station.session.poses.get(station.chosen ?? -1);
-      if (rides !== null) add('Stop riding', () => (this.rides = null));
-      else if (pose !== undefined)
-        add('Ride along', () => (this.rides = { vehicle: pose.vehicle, at: at_place(pose) }));
-    }
-    if (this.mode === 'vr') {
-      if (wearer.is_table) add('Stand in it', () => this.stand());
-      else
-        add('Table', () => {
-          this.let_go();
-          wearer.lay_table(shown());
-        });
-      add(this.is_seated ? 'I stand' : 'I sit', () => {
-        station.settings.headset_is_seated = !this.is_seated;
+    return own_buttons(station, way, {
+      mode: this.mode,
+      is_table: wearer.is_table,
+      rides: ride.is_on,
+      is_seated: station.settings.headset_is_seated,
+      finds_floor: floor.at !== null,
+      ride: (pose) => ride.begin(pose),
+      end_ride: () => ride.end(),
+      stand: () => this.stand(),
+      lay_table: () => this.lay_table(),
+      lay_table_there: () => wearer.lay_table(shown(), floor.at),
+      sit: (is_seated) => {
+        station.settings.headset_is_seated = is_seated;
         keep_settings(station.settings);
-        wearer.rig.lift_m = this.is_seated ? SEATED_LIFT_M : 0;
-      });
-    } else {
-      const { at } = this.floor;
-      if (at !== null) add('Table where I look', () => wearer.lay_table(shown(), at));
-    }
-    add('Leave', this.leave);
-    return buttons;
+      },
+      choose,
+      leave: this.leave,
+    });
   }
 }

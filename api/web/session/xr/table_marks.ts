@@ -93,6 +93,8 @@ export class TableMarks {
   dispose(): void {
     this.kept.drop_the_rest();
     this.scene.remove(this.plates);
-    this.sea.geometry.dispose();
+    this.sea.geometry.dispose(); // the bed's too
+    this.sea.material.dispose();
+    this.bed.material.dispose();
   }
 }

@@ -39,4 +39,11 @@ export class ThrowMark {
     this.ring.material.color.set(good);
     if (landing !== null) this.ring.position.copy(landing.at);
   }
+
+  dispose(): void {
+    for (const part of [this.line, this.ring]) {
+      part.geometry.dispose();
+      part.material.dispose();
+    }
+  }
 }

@@ -13,19 +13,20 @@ function soft_ring(): RingGeometry {
 
 export class Vignette {
   readonly group = new Group();
+  private readonly parts: readonly Mesh<RingGeometry, MeshBasicMaterial>[];
 
   constructor() {
     const dark = { color: '#000000', depthTest: false, depthWrite: false, fog: false };
     const soft = new MeshBasicMaterial({ ...dark, transparent: true, vertexColors: true });
-    const parts = [
+    this.parts = [
       new Mesh(soft_ring(), soft),
       new Mesh(new RingGeometry(1, 20, 48), new MeshBasicMaterial({ ...dark, transparent: true })),
     ];
-    for (const part of parts) {
+    for (const part of this.parts) {
       part.renderOrder = 1000; // over all
       part.frustumCulled = false;
     }
-    this.group.add(...parts);
+    this.group.add(...this.parts);
     this.group.position.z = -1;
     this.show(0);
   }
@@ -33,5 +34,12 @@ export class Vignette {
   show(narrowed: number): void {
     this.group.visible = narrowed > 0;
     this.group.scale.set(OPEN + (NARROW - OPEN) * narrowed, OPEN + (NARROW - OPEN) * narrowed, 1);
+  }
+
+  dispose(): void {
+    for (const part of this.parts) {
+      part.geometry.dispose();
+      part.material.dispose();
+    }
   }
 }

@@ -1,7 +1,6 @@
 // Who wears a headset, as the scene draws them and what they see: the rig with its hands, its
 // board, the frame about the view, names as signs, and the table. No browser's session is in it.
-import type { Scene, Vector3 } from 'three';
-import { Vector3 as Vector } from 'three';
+import { Vector3, type Scene } from 'three';
 import type { Shown, SceneView, Visitor } from '../scene/scene_view';
 import type { Name } from '../scene/labels';
 import { Board } from './board';
@@ -26,7 +25,7 @@ export class Wearer implements Visitor {
   private readonly signs = new NameSigns();
   private readonly scene: Scene;
   private marks: TableMarks | null = null;
-  private middle = new Vector();
+  private middle = new Vector3();
 
   constructor(private readonly view: SceneView) {
     this.scene = view.scene;
@@ -49,6 +48,7 @@ export class Wearer implements Visitor {
 
   /** The farm as a table about the chosen vehicle, in front or at a place of the headset's. */
   lay_table(shown: Shown, at: Vector3 | null = null): void {
+    this.rig.lift_m = 0; // a table is before who sits, too
     this.marks ??= new TableMarks(this.scene);
     this.middle = table_middle(shown.session, shown.chosen);
     lay_table(this.rig, this.middle, at);
@@ -77,6 +77,9 @@ export class Wearer implements Visitor {
     this.marks?.dispose();
     this.signs.dispose();
     this.board.dispose();
+    this.vignette.dispose();
+    this.throw_mark.dispose();
+    for (const hand of Object.values(this.hands)) hand.dispose();
     this.scene.remove(this.rig.group, this.throw_mark.group, this.signs.group);
   }
 }

@@ -177,3 +177,23 @@ test('the table may be laid where the headset finds a floor', async () => {
   floor.look(frame, space);
   assert.equal(floor.at, null);
 });
+
+test('the search for a floor ends with the session, also where it was granted after that', async () => {
+  for (const is_late of [false, true]) {
+    let cancelled = 0;
+    let grant = (): void => undefined;
+    const session = {
+      requestReferenceSpace: async () => ({}),
+      requestHitTestSource: () =>
+        new Promise((done) => (grant = () => done({ cancel: () => (cancelled += 1) }))),
+    } as unknown as XRSession;
+    const floor = new FloorAhead();
+    const begun = floor.begin(session);
+    await Promise.resolve();
+    if (is_late) floor.end();
+    grant();
+    await begun;
+    if (!is_late) floor.end();
+    assert.equal(cancelled, 1);
+  }
+});
