@@ -4,7 +4,7 @@ import { button, element, labelled, set_disabled, set_hidden, set_text } from '.
 import { notice } from '../look/notice';
 import { metres_text, speed_text, type SpeedUnit } from '../look/units';
 import type { Weather } from '../session/around';
-import { slid_order, type Held, type SliderName } from '../session/slid';
+import { hold_pairs, may_slide, slid_order, type Held, type SliderName } from '../session/slid';
 import type { Station } from '../station';
 
 const SENDS_EVERY_MS = 300; // while a slider is dragged
@@ -149,23 +149,18 @@ export function weather_sliders(station: Station): WeatherSliders {
     for (const group of seen_led) if (!is_new && !led.includes(group)) seen_led.delete(group);
   }
 
+  function told(name: SliderName): number | null {
+    const { weather } = station.session;
+    const slider = SLIDERS.find((it) => it.name === name);
+    return weather === null ? null : (slider?.of(weather) ?? null);
+  }
+
   function send(): void {
     const now_ms = performance.now();
     if (!is_new || now_ms < sent_ms + SENDS_EVERY_MS) return;
     sent_ms = now_ms;
     is_new = false;
-    const { weather } = station.session;
-    for (const [speed, direction] of [
-      ['wind', 'wind_from'],
-      ['current', 'current_to'],
-    ] as const) {
-      // A speed and its direction are led together.
-      const of = (name: SliderName): number =>
-        (weather === null ? null : SLIDERS.find((it) => it.name === name)?.of(weather)) ?? 0;
-      if (held.has(speed) === held.has(direction)) continue;
-      if (!held.has(speed)) held.set(speed, of(speed));
-      else held.set(direction, of(direction));
-    }
+    hold_pairs(held, told);
     const is_sent = station.ask('Weather', { do: 'weather', ...slid_order(held) }, (answer) => {
       if (answer.taken) return; // it is seen where it is shown
       let_go();
@@ -186,7 +181,7 @@ export function weather_sliders(station: Station): WeatherSliders {
       mind_others(weather.led);
       send();
       for (const { slider, field, value, mark } of rows) {
-        set_disabled(field, !is_supervisor);
+        set_disabled(field, !is_supervisor || !may_slide(slider.name, held, told));
         const is_held = held.has(slider.name);
         const is = is_held ? (held.get(slider.name) ?? null) : slider.of(weather);
         if (!is_held) field.value = String(is ?? 0);

@@ -6,7 +6,7 @@ import { class_of_address } from 'page/session/class_of_address';
 import { on_curve } from 'page/panel/farm_curve';
 import { read_turbines } from 'page/session/farm';
 import { Idle, KIOSK_WAITS_MS } from 'page/session/idle';
-import { slid_order } from 'page/session/slid';
+import { hold_pairs, may_slide, slid_order, type Held, type SliderName } from 'page/session/slid';
 
 const titled = (title: string): Lesson => {
   const found = lessons.find((it) => it.title.startsWith(title));
@@ -82,6 +82,41 @@ test('sliders ask for what is held, and give the rest back to the run', () => {
     water_visibility_m: 0.5, // the end of the slider is not blindness
     over_s: 5,
   });
+});
+
+test('a wind of which nobody says how fast it is is not ordered by its direction', () => {
+  const calm: Record<string, number | null> = { wind: 0, wind_from: null, current: null };
+  const windy: Record<string, number | null> = { wind: 8, wind_from: 200, current: null };
+  const held_with = (
+    told: Record<string, number | null>,
+    ...moved: [SliderName, number][]
+  ): Held => {
+    const held: Held = new Map(moved);
+    hold_pairs(held, (name) => told[name] ?? null);
+    return held;
+  };
+  const may = (name: SliderName, held: Held = new Map()): boolean =>
+    may_slide(name, held, (it) => windy[it] ?? null);
+  assert.deepEqual(
+    ['wind', 'wind_from', 'current', 'visibility'].map((it) => may(it as SliderName)),
+    [true, true, true, true],
+  );
+  assert.equal(may('current_to'), false, 'nobody says how fast');
+  assert.equal(may('current_to', new Map([['current', 0.4]])), true, 'held');
+  // What is moved is ordered with the other as it was told.
+  assert.deepEqual(slid_order(held_with(windy, ['wind_from', 90])).wind, {
+    speed_m_s: 8,
+    from_deg: 90,
+  });
+  assert.deepEqual(slid_order(held_with(windy, ['wind', 12])).wind, {
+    speed_m_s: 12,
+    from_deg: 200,
+  });
+  assert.deepEqual(slid_order(held_with(calm, ['wind', 5])).wind, { speed_m_s: 5, from_deg: 0 });
+  // And nothing where nobody says it, also by who moved it before it was gone.
+  const held = held_with(windy, ['current_to', 90]);
+  assert.deepEqual([slid_order(held).current, held.size], [null, 0]);
+  assert.equal(slid_order(new Map([['current_to', 90]])).current, null);
 });
 
 test('the curve of a turbine is drawn to its ends, and not beyond', () => {
