@@ -178,7 +178,7 @@ function within_one(value: number): number {
 }
 
 /** Full stick of yaw. The vehicle's own conduct takes of it what it can. */
-export const FULL_YAW_RAD_S = 0.5;
+const FULL_YAW_RAD_S = 0.5;
 
 /** m/s, m/s, m/s down, rad/s to starboard, as the server wants them. */
 export function velocity_of(

@@ -10,7 +10,7 @@ import type { PlanDrawing, PlanHand } from '../view/plan_view';
 import type { Camera, Pixel, Plane } from '../view/camera';
 import type { Panel, Station } from '../station';
 
-export const TRIAL_EVERY_MS = 200;
+const TRIAL_EVERY_MS = 200;
 const PICK_WITHIN_PX = 16;
 
 export interface WaypointEdit extends Panel, PlanHand {

@@ -3,7 +3,7 @@
 import { Vector3 } from 'three';
 import { beyond_dead_zone } from '../drive/gamepad';
 
-export const SNAP_RAD = Math.PI / 6;
+const SNAP_RAD = Math.PI / 6;
 export const SEATED_LIFT_M = 0.45; // from a seated to a standing person's eyes
 
 const [PUSHED, BACK] = [0.7, 0.3];

@@ -48,11 +48,7 @@ type Held =
   | { is: 'table'; from: Vector3 };
 
 /** The nearest within reach of the finger tips. */
-export function taken_at<T extends Place>(
-  at: Vector3,
-  places: readonly T[],
-  within_m: number,
-): T | null {
+function taken_at<T extends Place>(at: Vector3, places: readonly T[], within_m: number): T | null {
   let best: T | null = null;
   let least_m = within_m;
   for (const place of places) {

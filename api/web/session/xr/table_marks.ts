@@ -24,7 +24,7 @@ const BORDER_M = 0.1 * TABLE_SCALE;
 const MOST_M = 2.5 * TABLE_SCALE;
 
 /** About the middle, as far as something of the run is. */
-export function table_reach_m(session: Session, middle: Vector3): number {
+function table_reach_m(session: Session, middle: Vector3): number {
   const places = [...session.poses.values(), ...session.structures];
   const away = places.map((it) => Math.hypot(it.east_m - middle.x, it.north_m + middle.z));
   return Math.min(MOST_M, Math.max(0, ...away) + BORDER_M);
