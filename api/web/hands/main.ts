@@ -108,7 +108,7 @@ async function start(): Promise<void> {
   set_text(start_stop, 'Stop the camera');
   set_text(seen, 'The detector loads.');
   try {
-    await webcam.start();
+    if (!(await webcam.start())) return;
     detector ??= await Detector.load();
   } catch (error) {
     if (run === this_run) stop(error instanceof Error ? error.message : String(error));
@@ -127,7 +127,7 @@ function stop(why: string): void {
   set_text(seen, '');
   set_hidden(picture, true);
   complain(why);
-  session_page.tell(NO_TURN);
+  session_page.tell({ ...NO_TURN, picture_ms: performance.now() });
   tell();
 }
 
@@ -144,6 +144,7 @@ async function look(this_run: number, with_it: Detector): Promise<void> {
       hand = await with_it.look(webcam.video);
     } catch (error) {
       detector = null; // its next start is a new one
+      void with_it.close();
       stop(`The detector failed: ${error instanceof Error ? error.message : String(error)}`);
       return;
     }

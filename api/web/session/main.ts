@@ -1,6 +1,7 @@
 // The page /session, put together. The server is the only truth: what is shown here was told by it.
 import { Driver, TICK_MS } from './drive/driver';
 import { PadReader } from './drive/gamepad';
+import { HandWindow } from './drive/hand_window';
 import { Keys, leaves_keys_alone, listen_to_keys } from './drive/keys';
 import { Stick } from './drive/stick';
 import { lessons } from './lessons/lesson';
@@ -11,7 +12,6 @@ import { load_settings } from './look/settings';
 import { attention_button } from './panel/attention_button';
 import { camera_panel } from './panel/camera_panel';
 import { drive_panel } from './panel/drive_panel';
-import { HandWindow } from './panel/hand_window';
 import { helm_panel, helm_words } from './panel/helm_panel';
 import { join_form } from './panel/join_form';
 import { lesson_panel } from './panel/lesson_panel';
@@ -105,7 +105,7 @@ const way = waypoint_edit(
 );
 const supervise = supervise_panel(station);
 const hand_window = new HandWindow(station);
-const camera = camera_panel(station, hand_window.opener);
+const camera = camera_panel(station, hand_window);
 const picture = picture_panel(station);
 const weather = weather_panel(station);
 const people = people_panel(station);

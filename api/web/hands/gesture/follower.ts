@@ -6,7 +6,13 @@
 // - All else is rest: an open hand, a fist, no hand, a hand that is not sure or jumps, a picture
 //   that is old. A second hand is not looked at.
 import { beyond } from '../../look/beyond';
-import { MOST, NO_TURN, WISH_IS_VALID_MS, type CameraWish } from '../../look/camera_wish';
+import {
+  MOST,
+  NO_TURN,
+  WISH_IS_VALID_MS,
+  type CameraWish,
+  type Turn,
+} from '../../look/camera_wish';
 import {
   at,
   distance,
@@ -20,7 +26,7 @@ import {
 import { eased } from './rate';
 import { shape_of, type Shape } from './shape';
 
-export const LEAST_SURENESS = 0.7;
+const LEAST_SURENESS = 0.7;
 /** A shape is meant once it was seen in so many pictures one after the other. */
 const PICTURES_TO_MEAN = 2;
 /** How far a pinch is moved, in sizes of the hand. */
@@ -49,7 +55,7 @@ export class Follower {
   private smoothed: { point: Point; spread: number } | null = null;
   private last: { point: Point; size: number } | null = null;
   private picture_ms = Number.NEGATIVE_INFINITY;
-  private wish: CameraWish = NO_TURN;
+  private turn: Turn = NO_TURN;
 
   /** @param picture_ms when the picture was taken, by the clock of `wish_at` */
   take(hand: Hand | null, picture_ms: number): void {
@@ -73,7 +79,10 @@ export class Follower {
 
   wish_at(now_ms: number): CameraWish {
     const age_ms = now_ms - this.picture_ms;
-    return age_ms <= WISH_IS_VALID_MS && age_ms >= 0 ? { ...this.wish, age_ms } : NO_TURN;
+    const is_of_now = age_ms <= WISH_IS_VALID_MS && age_ms >= 0;
+    return is_of_now
+      ? { ...this.turn, picture_ms: this.picture_ms }
+      : { ...NO_TURN, picture_ms: now_ms };
   }
 
   /** The camera is off, or another one: nothing that was seen counts any more. */
@@ -88,7 +97,7 @@ export class Follower {
     this.pictures = 0;
     this.anchor = null;
     this.smoothed = null;
-    this.wish = NO_TURN;
+    this.turn = NO_TURN;
     if (seen === 'none' || seen === 'unsure') this.last = null;
   }
 
@@ -133,15 +142,15 @@ export class Follower {
       const right = (this.is_mirrored ? 1 : -1) * (point.x - anchor.point.x);
       const up = anchor.point.y - point.y;
       const share = (offset: number): number => beyond(offset / anchor.size, MOVE_DEAD, MOVE_FULL);
-      this.wish = {
+      this.turn = {
         ...NO_TURN,
-        pan_deg_s: towards(this.wish.pan_deg_s, share(right), MOST.pan_deg_s),
-        tilt_deg_s: towards(this.wish.tilt_deg_s, share(up), MOST.tilt_deg_s),
+        pan_deg_s: towards(this.turn.pan_deg_s, share(right), MOST.pan_deg_s),
+        tilt_deg_s: towards(this.turn.tilt_deg_s, share(up), MOST.tilt_deg_s),
       };
     } else if (this.shape === 'two') {
       const share = beyond(spread - SPREAD_MIDDLE, SPREAD_DEAD, SPREAD_FULL);
-      const zoom_per_s = towards(this.wish.zoom_per_s, share, MOST.zoom_per_s);
-      this.wish = { ...NO_TURN, zoom_per_s };
+      const zoom_per_s = towards(this.turn.zoom_per_s, share, MOST.zoom_per_s);
+      this.turn = { ...NO_TURN, zoom_per_s };
     }
   }
 }

@@ -1,6 +1,6 @@
 // The page of the session that opened this window: it is told the wish, and says what it makes of
 // it, over a channel of this origin whose name the address has. Nothing else is said to anybody.
-import { read_wish_answer, wish_message, type CameraWish } from '../../look/camera_wish';
+import { read_wish_answer, shared_ms, wish_message, type CameraWish } from '../../look/camera_wish';
 
 export class SessionPage {
   private readonly channel: BroadcastChannel | null;
@@ -14,7 +14,9 @@ export class SessionPage {
     });
   }
 
+  /** @param wish its picture by the clock of this window */
   tell(wish: CameraWish): void {
-    this.channel?.postMessage(wish_message(wish));
+    const picture_ms = shared_ms(wish.picture_ms);
+    this.channel?.postMessage(wish_message({ ...wish, picture_ms }));
   }
 }

@@ -1,5 +1,5 @@
 // What is seen and asked, in words.
-import { is_rest, WISH_IS_VALID_MS, type CameraWish } from '../../look/camera_wish';
+import { is_rest, WISH_IS_VALID_MS, type Turn } from '../../look/camera_wish';
 import type { Seen } from '../gesture/follower';
 
 export const SEEN_TEXT: Readonly<Record<Seen, string>> = {
@@ -13,7 +13,7 @@ export const SEEN_TEXT: Readonly<Record<Seen, string>> = {
   other: 'A hand at rest.',
 };
 
-export function asked_text(wish: CameraWish): string {
+export function asked_text(wish: Turn): string {
   if (is_rest(wish)) return 'Nothing is asked.';
   const parts: string[] = [];
   const turn = (deg_s: number, more: string, less: string): void => {

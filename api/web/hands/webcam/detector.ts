@@ -40,8 +40,19 @@ export class Detector {
     if (window.Hands === undefined) await run_script(`${MODEL}hands.js`);
     if (window.Hands === undefined) throw new Error('The detector of hands does not load.');
     const hands = new window.Hands({ locateFile: (name) => MODEL + name });
-    await hands.initialize();
-    return new Detector(hands);
+    const made = new Detector(hands);
+    try {
+      await hands.initialize();
+    } catch (error) {
+      await made.close();
+      throw error;
+    }
+    return made;
+  }
+
+  /** Gives back its memory; it has failed, so that closing may fail too. */
+  async close(): Promise<void> {
+    await this.hands.close().catch(() => undefined);
   }
 
   /** The hand that was found first and is still there. The page stands still meanwhile. */

@@ -1,9 +1,16 @@
 // From what a hand before a webcam wishes (api/web/hands) to orders to the camera.
 //
-// - A wish counts for 0.3 s from the moment of its picture: where none comes the camera stands.
+// - A wish counts for 0.3 s from the moment of its picture, however long it was on its way: where
+//   none comes the camera stands. Times are of the clock that all windows share.
 // - Where nothing may be sent nothing is kept for later, and after it the hand has to rest once.
 // - Each order is a row of the record: so many a second at most, and none that changes nothing.
-import { is_rest, NO_TURN, WISH_IS_VALID_MS, type CameraWish } from '../../look/camera_wish';
+import {
+  is_rest,
+  NO_TURN,
+  WISH_IS_VALID_MS,
+  type CameraWish,
+  type Turn,
+} from '../../look/camera_wish';
 import type { CameraPointing } from '../session/message';
 
 export const ORDER_EVERY_MS = 250;
@@ -15,7 +22,7 @@ const LONGEST_STEP_MS = 100;
 const TOLD_BY_MS = 1500;
 
 export class CameraHand {
-  private wish: CameraWish = NO_TURN;
+  private wish: Turn = NO_TURN;
   private picture_ms = Number.NEGATIVE_INFINITY; // of the wish
   private must_rest = false;
   private turned: CameraPointing | null = null; // where the hand has it, while it moves
@@ -25,7 +32,7 @@ export class CameraHand {
 
   take(wish: CameraWish, now_ms: number): void {
     this.wish = wish;
-    this.picture_ms = now_ms - wish.age_ms;
+    this.picture_ms = Math.min(wish.picture_ms, now_ms); // nothing counts from later on
     if (is_rest(wish)) this.must_rest = false;
   }
 
@@ -34,6 +41,13 @@ export class CameraHand {
     this.must_rest = true;
     this.turned = null;
     this.sent = null;
+  }
+
+  /** Another hand of this station has turned the camera: what comes next begins there. */
+  overrule(camera: CameraPointing, now_ms: number): void {
+    this.drop();
+    this.sent = { ...camera };
+    this.sent_ms = now_ms;
   }
 
   has_to_rest(): boolean {
@@ -77,7 +91,7 @@ export class CameraHand {
   }
 }
 
-function turned_on(from: CameraPointing, wish: CameraWish, step_s: number): CameraPointing {
+function turned_on(from: CameraPointing, wish: Turn, step_s: number): CameraPointing {
   const within = (value: number, low: number, high: number): number =>
     Math.min(Math.max(value, low), high);
   return {

@@ -1,13 +1,13 @@
 // The window of hands (api/web/hands), which this page opens and listens to: what it wishes of the
 // camera goes out as this station's own orders, where those may go out.
 import { button } from '../../look/element';
-import { read_wish, wish_answer } from '../../look/camera_wish';
-import { CameraHand } from '../drive/camera_hand';
-import { gate_of } from '../drive/driver';
-import { BLOCK_TEXT, block_of } from '../drive/stick';
+import { read_wish, shared_ms, wish_answer } from '../../look/camera_wish';
 import { notice } from '../look/notice';
-import type { Answer } from '../session/message';
+import type { Answer, CameraPointing } from '../session/message';
 import type { Station } from '../station';
+import { CameraHand } from './camera_hand';
+import { gate_of } from './driver';
+import { BLOCK_TEXT, block_of } from './stick';
 
 const ORDER_BY_HAND_IS_VALID_MS = 1000;
 
@@ -28,7 +28,7 @@ export class HandWindow {
       this.vehicle = station.chosen;
       hand.drop();
     }
-    const order = hand.tick(performance.now(), this.block() === '', this.camera());
+    const order = hand.tick(shared_ms(performance.now()), this.block() === '', this.camera());
     if (order === null) return;
     const message = { do: 'camera', ...order };
     const on_answer = (answer: Answer): void => {
@@ -40,6 +40,11 @@ export class HandWindow {
       hand.drop();
   }
 
+  /** The camera was turned at the controls: the hand does not turn it back. */
+  overrule(camera: CameraPointing): void {
+    this.hand.overrule(camera, shared_ms(performance.now()));
+  }
+
   /** Each time a channel of its own: the window that was opened last is the one that is heard. */
   private open(): void {
     this.channel?.close();
@@ -49,7 +54,7 @@ export class HandWindow {
     channel.addEventListener('message', (event) => {
       const wish = read_wish(event.data);
       if (wish === null) return;
-      this.hand.take(wish, performance.now());
+      this.hand.take(wish, shared_ms(performance.now()));
       channel.postMessage(wish_answer(this.answer()));
     });
     this.channel = channel;
@@ -76,7 +81,7 @@ export class HandWindow {
     const name = this.station.chosen_name();
     if (block !== '') return block;
     if (this.camera() === null) return `${name} tells of no camera.`;
-    if (this.hand.has_to_rest()) return 'Open the hand once.';
+    if (this.hand.has_to_rest()) return 'Let the hand rest once.';
     return this.hand.is_turning() ? `Turns the camera of ${name}.` : `Ready: camera of ${name}.`;
   }
 }

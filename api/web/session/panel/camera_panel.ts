@@ -1,9 +1,14 @@
 // Where the camera of the chosen vehicle looks, for whoever has its helm.
 import { button, element, labelled, set_hidden, set_text } from '../../look/element';
+import type { HandWindow } from '../drive/hand_window';
+import type { CameraPointing } from '../session/message';
 import type { Panel, Station } from '../station';
 
-/** @param by_hand opens the window in which a hand turns it */
-export function camera_panel(station: Station, by_hand: HTMLButtonElement): Panel {
+/** @param by_hand the window in which a hand turns it */
+export function camera_panel(
+  station: Station,
+  by_hand: Pick<HandWindow, 'opener' | 'overrule'>,
+): Panel {
   const slider = (low: number, high: number, step: number, value: number): HTMLInputElement =>
     element('input', { type: 'range', min: low, max: high, step, value });
   const pan = slider(-180, 180, 5, 0);
@@ -11,12 +16,12 @@ export function camera_panel(station: Station, by_hand: HTMLButtonElement): Pane
   const zoom = slider(1, 10, 0.5, 1);
   const now = element('p', { class: 'note' });
   const point = (): void => {
-    station.command('Camera', {
-      do: 'camera',
+    const to: CameraPointing = {
       pan_deg: Number(pan.value),
       tilt_deg: Number(tilt.value),
       zoom: Number(zoom.value),
-    });
+    };
+    if (station.command('Camera', { do: 'camera', ...to })) by_hand.overrule(to);
   };
   const set = (pan_deg: number, tilt_deg: number, times: number): void => {
     pan.value = String(pan_deg);
@@ -37,7 +42,7 @@ export function camera_panel(station: Station, by_hand: HTMLButtonElement): Pane
     labelled('Pan, ° to starboard', pan),
     labelled('Tilt, ° up', tilt),
     labelled('Zoom, times', zoom),
-    element('div', { class: 'buttons' }, ahead, by_hand),
+    element('div', { class: 'buttons' }, ahead, by_hand.opener),
   );
   let shown = '';
 

@@ -66,7 +66,6 @@ test('APinchMovedTurnsTheCameraThatWayAsFastAsItIsFarther', () => {
     [0.7, -0.9],
     [-2, 2],
   ] as const) {
-    // prettier-ignore
     const wish = new Before().pinch_and_move(right, up);
     // The picture's right is the person's left.
     assert.ok(

@@ -62,8 +62,5 @@ test('TwoFingersApartAreFartherApart', () => {
   const spreads = [-10, 0, 10, 20, 35].map((apart_deg) =>
     spread_of(hand_of({ ...TWO, apart_deg })),
   );
-  assert.deepEqual(
-    spreads,
-    [...spreads].sort((a, b) => a - b),
-  );
+  spreads.slice(1).forEach((it, i) => assert.ok(spreads[i]! < it, `${spreads}`));
 });

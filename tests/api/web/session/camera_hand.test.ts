@@ -1,13 +1,14 @@
 // What the page of a session makes of a hand's wishes: few orders, and none when it may not.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { MOST, NO_TURN, type CameraWish } from 'page/../look/camera_wish';
+import { MOST, NO_TURN, type Turn } from 'page/../look/camera_wish';
 import { CameraHand, ORDER_EVERY_MS } from 'page/drive/camera_hand';
 import type { CameraPointing } from 'page/session/message';
 
 const TICK_MS = 50;
 const AHEAD: CameraPointing = { pan_deg: 0, tilt_deg: 0, zoom: 1 };
-const PAN: CameraWish = { ...NO_TURN, pan_deg_s: 12, age_ms: 50 };
+const PAN: Turn = { ...NO_TURN, pan_deg_s: 12 };
+const AGE_MS = 50; // of a picture, when the page hears of it
 
 /** A station whose server takes every order at once. */
 class Station {
@@ -16,10 +17,11 @@ class Station {
   may = true;
   camera: CameraPointing | null = AHEAD;
   orders: (CameraPointing & { at_ms: number })[] = [];
-  run(for_ms: number, wish: CameraWish | null): void {
+  run(for_ms: number, turn: Turn | null, age_ms = AGE_MS): void {
     for (let t = 0; t < for_ms; t += TICK_MS) {
       this.now_ms += TICK_MS;
-      if (wish !== null && t % 100 === 0) this.hand.take(wish, this.now_ms);
+      const picture_ms = this.now_ms - age_ms;
+      if (turn !== null && t % 100 === 0) this.hand.take({ ...turn, picture_ms }, this.now_ms);
       const order = this.hand.tick(this.now_ms, this.may, this.camera);
       if (order === null) continue;
       this.orders.push({ ...order, at_ms: this.now_ms });
@@ -31,7 +33,7 @@ class Station {
 test('TheCameraTurnsAsFastAsIsWishedFromWhereItLooked', () => {
   const station = new Station();
   station.camera = { pan_deg: 30, tilt_deg: -10, zoom: 2 };
-  station.run(5000, { pan_deg_s: 12, tilt_deg_s: -4, zoom_per_s: Math.log(2) / 4, age_ms: 0 });
+  station.run(5000, { pan_deg_s: 12, tilt_deg_s: -4, zoom_per_s: Math.log(2) / 4 });
   const last = station.orders[station.orders.length - 1]!;
   const since_s = (last.at_ms - 5000) / 1000;
   assert.ok(Math.abs(last.pan_deg - (30 + 12 * since_s)) < 1.2, `${last.pan_deg}`);
@@ -54,10 +56,16 @@ test('AWishThatIsOldTurnsNothing', () => {
   const count = station.orders.length;
   station.run(5000, null); // its window was closed, or is slow
   for (const order of station.orders.slice(count))
-    assert.ok(order.at_ms - (last_wish_ms - PAN.age_ms) <= 300, `${order.at_ms}`);
+    assert.ok(order.at_ms - (last_wish_ms - AGE_MS) <= 300, `${order.at_ms}`);
   const late = new Station();
-  late.run(5000, { ...PAN, age_ms: 400 });
+  late.run(5000, PAN, 400); // held up on their way, as where this page slept
   assert.deepEqual(late.orders, []);
+  const early = new Station();
+  early.run(100, PAN, -60_000); // by a clock that is ahead: it counts no longer than another
+  early.orders = [];
+  early.now_ms += 300;
+  early.run(2000, null);
+  assert.deepEqual(early.orders, []);
 });
 
 test('AHandAtRestStopsItAtOnce', () => {
@@ -105,13 +113,29 @@ test('ASecondMoveBeginsWhereTheFirstEndedEvenIfTheServerHasNotToldYet', () => {
   assert.ok(station.orders[0]!.pan_deg >= ended, `${station.orders[0]!.pan_deg} after ${ended}`);
 });
 
+test('WhatWasSetAtTheControlsMeanwhileIsNotTurnedBack', () => {
+  const station = new Station();
+  station.run(2000, PAN);
+  const told = { ...station.camera! }; // 20 degrees or so
+  assert.ok(told.pan_deg > 15);
+  station.orders = [];
+  station.hand.overrule(AHEAD, station.now_ms); // Straight ahead, in the middle of the turn
+  station.camera = told; // the server has not told yet
+  station.run(1000, PAN);
+  assert.deepEqual(station.orders, [], 'the hand rests first');
+  station.run(100, NO_TURN);
+  station.run(300, PAN);
+  const first = station.orders[0]!;
+  assert.ok(first.pan_deg > 0 && first.pan_deg < 5, `${first.pan_deg}, from straight ahead on`);
+});
+
 test('ItStaysWithinWhatACameraTurns', () => {
   const station = new Station();
-  station.run(40_000, { ...MOST, age_ms: 0 });
+  station.run(40_000, MOST);
   const last = station.orders[station.orders.length - 1]!;
   assert.deepEqual({ ...last, at_ms: 0 }, { pan_deg: 180, tilt_deg: 90, zoom: 10, at_ms: 0 });
   const count = station.orders.length;
-  station.run(5000, { ...MOST, age_ms: 0 });
+  station.run(5000, MOST);
   assert.equal(station.orders.length, count); // nothing changes: no rows
 });
 
