@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { is_rest, MOST, WISH_IS_VALID_MS, type CameraWish } from 'page/../look/camera_wish';
 import { Follower } from 'page/gesture/follower';
-import type { Hand } from 'page/gesture/hand';
+import { spread_of, type Hand } from 'page/gesture/hand';
 import {
   bones_of,
   FIST,
@@ -19,6 +19,8 @@ import {
 } from './skeleton_for_tests';
 
 const EVERY_MS = 50;
+/** The palm leans a little as its tips do, so that its size is not quite straight: 0.06 at most. */
+const SIZED_DEG_S = 0.1;
 
 /** A hand before the camera, 20 pictures a second. */
 class Before {
@@ -68,11 +70,8 @@ test('APinchMovedTurnsTheCameraThatWayAsFastAsItIsFarther', () => {
   ] as const) {
     const wish = new Before().pinch_and_move(right, up);
     // The picture's right is the person's left.
-    assert.ok(
-      Math.abs(wish.pan_deg_s - expected_deg_s(-right)) < 0.3,
-      `${right}: ${wish.pan_deg_s}`,
-    );
-    assert.ok(Math.abs(wish.tilt_deg_s - expected_deg_s(up)) < 0.3, `${up}: ${wish.tilt_deg_s}`);
+    const off = [wish.pan_deg_s - expected_deg_s(-right), wish.tilt_deg_s - expected_deg_s(up)];
+    for (const it of off) assert.ok(Math.abs(it) < SIZED_DEG_S, `${right} ${up}: ${it}`);
     assert.equal(wish.zoom_per_s, 0);
   }
 });
@@ -82,8 +81,8 @@ test('ItIsTheSameNearAndFarAndForATurnedHand', () => {
     for (const roll_deg of [-30, 0, 30]) {
       const wish = new Before().pinch_and_move(-0.8, 0.4, { ...PINCH, away_m, roll_deg });
       const [pan, tilt] = [expected_deg_s(0.8, away_m), expected_deg_s(0.4, away_m)];
-      assert.ok(Math.abs(wish.pan_deg_s - pan) < 0.3, `${wish.pan_deg_s}, not ${pan}`);
-      assert.ok(Math.abs(wish.tilt_deg_s - tilt) < 0.3, `${wish.tilt_deg_s}, not ${tilt}`);
+      assert.ok(Math.abs(wish.pan_deg_s - pan) < SIZED_DEG_S, `${wish.pan_deg_s}, not ${pan}`);
+      assert.ok(Math.abs(wish.tilt_deg_s - tilt) < SIZED_DEG_S, `${wish.tilt_deg_s}, not ${tilt}`);
     }
 });
 
@@ -124,7 +123,8 @@ test('NoiseOfTwoPercentLeavesTheRateWithinAHand', () => {
   before.show_hand(moved, 20);
   for (let i = 0; i < 500; i += 1) {
     const { pan_deg_s } = before.show_hand(shaken(moved, 0.02, size, random), 1);
-    assert.ok(Math.abs(pan_deg_s - expected_deg_s(0.7)) < 1.5, `${pan_deg_s}`);
+    // Smoothed, the noise leaves a deviation of 0.13 degrees a second: four of them, in 500 pictures.
+    assert.ok(Math.abs(pan_deg_s - expected_deg_s(0.7)) < 0.52, `${pan_deg_s}`);
   }
 });
 
@@ -132,8 +132,13 @@ test('TwoFingersApartZoomInAndTogetherOut', () => {
   const zoom = (apart_deg: number): number =>
     new Before().show({ ...TWO, apart_deg }, 40).zoom_per_s;
   assert.equal(zoom(8), 0);
-  assert.ok(zoom(30) > 0.3);
-  assert.ok(zoom(-7) < -0.1);
+  // At rest 0.28 to 0.52 hands apart, full from 0.67 on and at 0.13, straight between.
+  const apart = spread_of(hand_of({ ...TWO, apart_deg: -7 }));
+  assert.ok(apart > 0.13 && apart < 0.28);
+  const expected = (-MOST.zoom_per_s * (0.28 - apart)) / (0.28 - 0.13);
+  assert.ok(Math.abs(zoom(-7) - expected) < 1e-6, `${zoom(-7)}, not ${expected}`);
+  assert.ok(zoom(18) > 0 && zoom(18) < MOST.zoom_per_s);
+  assert.equal(zoom(30), MOST.zoom_per_s);
   assert.equal(zoom(45), MOST.zoom_per_s);
   const turned = new Before().show({ ...TWO, apart_deg: 30 }, 40);
   assert.equal(turned.pan_deg_s, 0);

@@ -36,8 +36,10 @@ test('TheCameraTurnsAsFastAsIsWishedFromWhereItLooked', () => {
   station.run(5000, { pan_deg_s: 12, tilt_deg_s: -4, zoom_per_s: Math.log(2) / 4 });
   const last = station.orders[station.orders.length - 1]!;
   const since_s = (last.at_ms - 5000) / 1000;
-  assert.ok(Math.abs(last.pan_deg - (30 + 12 * since_s)) < 1.2, `${last.pan_deg}`);
-  assert.ok(Math.abs(last.tilt_deg - (-10 - 4 * since_s)) < 0.4, `${last.tilt_deg}`);
+  // The first tick has none before it to count from: 0.05 s are missing, which is 0.6 and 0.2
+  // degrees, and 0.04 of a zoom of 4.7.
+  assert.ok(Math.abs(last.pan_deg - (30 + 12 * since_s)) < 0.61, `${last.pan_deg}`);
+  assert.ok(Math.abs(last.tilt_deg - (-10 - 4 * since_s)) < 0.21, `${last.tilt_deg}`);
   assert.ok(Math.abs(last.zoom - 2 * 2 ** (since_s / 4)) < 0.05, `${last.zoom}`);
 });
 
@@ -46,7 +48,8 @@ test('OrdersAreFew', () => {
   station.run(10_000, PAN);
   const apart = station.orders.slice(1).map((it, i) => it.at_ms - station.orders[i]!.at_ms);
   assert.ok(Math.min(...apart) >= ORDER_EVERY_MS);
-  assert.ok(station.orders.length <= 40 && station.orders.length >= 35);
+  // 40 times 250 ms; the first may be late by one, and ticks come each 50 ms.
+  assert.ok(station.orders.length <= 40 && station.orders.length >= 39);
 });
 
 test('AWishThatIsOldTurnsNothing', () => {
@@ -86,7 +89,8 @@ test('WhereNothingMayBeSentNothingIsKeptAndTheHandHasToRestOnce', () => {
   assert.ok(station.hand.has_to_rest());
   station.run(200, NO_TURN);
   station.run(1000, PAN);
-  assert.ok(station.orders[0]!.pan_deg < 4, `${station.orders[0]!.pan_deg}`);
+  // 12 degrees a second for 250 ms at most, and none of what was refused.
+  assert.ok(station.orders[0]!.pan_deg <= 3, `${station.orders[0]!.pan_deg}`);
 });
 
 test('AfterARefusalOrAnotherVehicleTheHandHasToRestOnce', () => {
@@ -99,7 +103,7 @@ test('AfterARefusalOrAnotherVehicleTheHandHasToRestOnce', () => {
   assert.deepEqual(station.orders, []);
   station.run(200, NO_TURN);
   station.run(1000, PAN);
-  assert.ok(Math.abs(station.orders[0]!.pan_deg + 90) < 5, `${station.orders[0]!.pan_deg}`);
+  assert.ok(Math.abs(station.orders[0]!.pan_deg + 90) <= 3, `${station.orders[0]!.pan_deg}`);
 });
 
 test('ASecondMoveBeginsWhereTheFirstEndedEvenIfTheServerHasNotToldYet', () => {
@@ -126,7 +130,7 @@ test('WhatWasSetAtTheControlsMeanwhileIsNotTurnedBack', () => {
   station.run(100, NO_TURN);
   station.run(300, PAN);
   const first = station.orders[0]!;
-  assert.ok(first.pan_deg > 0 && first.pan_deg < 5, `${first.pan_deg}, from straight ahead on`);
+  assert.ok(first.pan_deg > 0 && first.pan_deg <= 3, `${first.pan_deg}, from straight ahead on`);
 });
 
 test('ItStaysWithinWhatACameraTurns', () => {
@@ -146,7 +150,8 @@ test('APageThatSleptDidNotTurnMeanwhile', () => {
   station.now_ms += 60_000;
   station.run(100, PAN);
   const after = station.orders[station.orders.length - 1]!.pan_deg;
-  assert.ok(after - before < 12 * 0.4, `${before} to ${after}`);
+  // Not sent yet, 250 ms at most; the step over the sleep, 100 ms; and one tick more.
+  assert.ok(after - before <= 12 * (0.25 + 0.1 + 0.05), `${before} to ${after}`);
 });
 
 test('WithoutACameraNothingIsSent', () => {
