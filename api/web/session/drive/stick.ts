@@ -1,12 +1,13 @@
 // From what a person's hand does to what is sent: the one place where the dead-man rule lives.
 //
-// - A command goes out only while a dead-man is held (Space, a pad's shoulder button, a finger).
+// - A command goes out only while a dead-man is held (Space, a pad's shoulder button, a finger, a
+//   grip or a pinch in a headset).
 // - When it is let go, zero goes out, once. Never the last stick again.
 // - Where nothing may be sent (no link, page hidden, picture old, …) nothing is kept for later, and
 //   after it the dead-man must be let go and pressed anew.
 // - HOLD and other orders take the vehicle from the stick: nothing follows them, not even its zero.
-// - One hand drives at a time. A pad that comes or comes back drives nothing until its button was
-//   up.
+// - One hand drives at a time. A pad or a headset that comes or comes back drives nothing until its
+//   dead-man was seen up.
 
 export type Source = 'keys' | 'pad' | 'touch' | 'headset';
 

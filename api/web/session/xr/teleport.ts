@@ -1,5 +1,6 @@
 // Where a throw from the hand comes down: a deck, the bed, or the level of the sea. The way is that
-// of a ball that is thrown along the ray; all crossings are solved, nothing is stepped.
+// of a ball that is thrown along the ray. Crossings with levels and walls are solved; that with the
+// bed is come to by looks, each at the height of the bed where the one before it came down.
 import { Vector3 } from 'three';
 import type { Structure } from '../session/message';
 
@@ -21,6 +22,7 @@ const FALLS_M_S2 = 9.81;
 const LONGEST_S = 6;
 const POINTS = 30;
 const LOOKS_AT_BED = 12; // slopes are gentle: each look is nearer by their share
+const BED_WITHIN_M = 0.1; // else the looks go to and fro, as on a slope as steep as the way
 
 export function at_time(from: Vector3, ahead: Vector3, t_s: number): Vector3 {
   const at = from.clone().addScaledVector(ahead, THROWN_M_S * t_s);
@@ -57,14 +59,17 @@ function time_at_bed(
 ): number | undefined {
   let at = from;
   let t_s: number | undefined;
+  let step_m = Infinity;
   for (let i = 0; i < LOOKS_AT_BED; i += 1) {
     const bed_m = bed_under(at);
     if (bed_m === null) return undefined;
     t_s = times_at(from, ahead, bed_m)[1];
     if (t_s === undefined) return undefined;
-    at = at_time(from, ahead, t_s);
+    const next = at_time(from, ahead, t_s);
+    step_m = next.distanceTo(at);
+    at = next;
   }
-  return t_s;
+  return step_m <= BED_WITHIN_M ? t_s : undefined;
 }
 
 /** Nothing: it comes down nowhere in time, or against a wall. `ahead` is a unit vector. */

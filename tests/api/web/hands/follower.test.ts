@@ -204,10 +204,13 @@ test('ItBeginsSoftlyAndNeverGoesFasterThanItsMost', () => {
 });
 
 test('ASlowDetectorAsksForNothing', () => {
-  const before = new Before();
-  before.pinch_and_move(-1, 0);
-  // Its pictures are seen, each 3 s after it was taken.
-  assert.ok(is_rest(before.follower.wish_at(before.now_ms + 3000)));
+  // Pictures are seen 3 s after they were taken, one each 3 s.
+  const follower = new Follower();
+  for (let i = 1; i <= 10; i += 1) {
+    follower.take(hand_of({ ...PINCH, right_m: i < 5 ? 0 : -PALM_M }), 3000 * i);
+    assert.ok(is_rest(follower.wish_at(3000 * (i + 1))), `picture ${i}`);
+  }
+  assert.ok(!is_rest(follower.wish_at(30_000)), 'seen at once it would turn');
 });
 
 test('APictureTwiceOrFromBeforeChangesNothing', () => {

@@ -79,3 +79,13 @@ test('on a slope a throw comes down as high as the bed is there', () => {
   // It falls by one in two there: each look is nearer by two fifths, and 12 leave 0.1 mm or so.
   near(landing.at.y, bed_under(landing.at), 1e-3);
 });
+
+test('where the bed is as steep as the throw it is not known where that comes down', () => {
+  // A level throw from 2 m over it falls by one in 1.6 there; two looks are to and fro.
+  const cliff = (at: Vector3): number => (at.z < -4 ? -31 : -29);
+  const steep = (at: Vector3): number => -30 + 3 * (0 - at.z - 6);
+  const from = new Vector3(0, -28, 0);
+  assert.equal(landing_of(from, ahead_up(0), { ...OPEN_SEA, bed_under: steep }), null);
+  const landing = landing_of(from, ahead_up(0), { ...OPEN_SEA, bed_under: cliff });
+  assert.ok(landing === null || Math.abs(landing.at.y - cliff(landing.at)) < 0.1);
+});
