@@ -1,10 +1,11 @@
 // headset.mjs MODULES ADDRESS WORK: Ann at a desk, Hal with a headset and Pia with a telephone in the session at ADDRESS, each with
-// the page in Chromium as it is. The headset is iwer's: WebXR as the page calls it, with a head, controllers and hands that the test moves. What a page
-// says to the server is heard by wrapping WebSocket.prototype.send; where hands are, by looking into the frames beside the page.
+// the page in Chromium as it is (people_in_a_session.mjs).
 import { strict as assert } from "node:assert";
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
+import { TELEPHONE, telephone_drives } from "./headset_telephone.mjs";
+import { endInZero, EYES_M, isZero, moved_m, near, Person, sleep, Wearer } from "./people_in_a_session.mjs";
 
 const [modules, address, work] = process.argv.slice(2);
 const require = createRequire(join(resolve(modules), "/"));
@@ -12,164 +13,9 @@ const puppeteer = require("puppeteer-core");
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const iwer = readFileSync(join(resolve(modules), "node_modules/iwer/build/iwer.min.js"), "utf8");
 
-const TOKENS = { Ann: "ann-0123456789abcdef", Hal: "hal-0123456789abcdef", Pia: "pia-0123456789abcdef" };
-const TELEPHONE = { width: 390, height: 844, isMobile: true, hasTouch: true };
 const LIMIT_MS = 30000; // generous: sanitizers, two cores
 const BED_M = -60; // of the scenario
-const EYES_M = 1.6; // over the floor
-const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
-
-/** Hears what a page says. Runs in the page, before its script. */
-function hear() {
-  window.heard = [];
-  const send = WebSocket.prototype.send;
-  WebSocket.prototype.send = function (data) {
-    heard.push({ ...JSON.parse(data), at_ms: performance.now() });
-    return send.call(this, data);
-  };
-}
-
-/** Puts a headset on. Runs in the page, before its script, after iwer's. */
-function wear() {
-  window.device = new IWER.XRDevice(IWER.metaQuest3, { stereoEnabled: true });
-  device.installRuntime({ forceInstall: true });
-  device.position.set(0, 1.6, 0);
-  window.seen = { frames: 0, fingers: {} };
-  const ask = XRSession.prototype.requestAnimationFrame;
-  XRSession.prototype.requestAnimationFrame = function (callback) {
-    return ask.call(this, (now, frame) => {
-      seen.frames += 1;
-      const space = device.viewerSpace;
-      for (const { hand, handedness } of this.inputSources) {
-        if (!hand) continue;
-        const at = (joint) => frame.getJointPose(hand.get(joint), space).transform.position;
-        const [thumb, index] = [at("thumb-tip"), at("index-finger-tip")];
-        seen.fingers[handedness] = ["x", "y", "z"].map((it) => (thumb[it] + index[it]) / 2 + device.position[it]);
-      }
-      callback(now, frame);
-    });
-  };
-}
-
-class Person {
-  constructor(name, page) {
-    this.name = name;
-    this.page = page;
-  }
-  static async sitDown(name, browser, has_headset, viewport = { width: 320, height: 180 }) {
-    const page = await browser.newPage();
-    const person = new Person(name, page);
-    await page.setViewport(viewport);
-    await page.evaluateOnNewDocument(hear);
-    if (has_headset) {
-      await page.evaluateOnNewDocument(iwer);
-      await page.evaluateOnNewDocument(wear);
-    }
-    page.on("pageerror", (error) => fail(`the page of ${name} throws`, error));
-    page.on("console", (said) => said.type() === "error" && console.log(`${name}'s console: ${said.text()}`));
-    await page.goto(`${address}/session`);
-    await page.waitForSelector("form.join option", { timeout: LIMIT_MS });
-    await page.type("form.join input[type=text]", name);
-    await page.type("form.join input[type=password]", TOKENS[name]);
-    await page.click("form.join button[type=submit]");
-    await person.until("a seat", () => document.documentElement.dataset.link === "seated" && document.querySelector(".age").dataset.grade);
-    return person;
-  }
-  async until(what, look, ...given) {
-    const found = await this.page.waitForFunction(look, { timeout: LIMIT_MS, polling: 50 }, ...given).catch(async () => {
-      throw new Error(`${this.name}: ${what} did not come; ${await this.shown()}`);
-    });
-    return found.jsonValue();
-  }
-  shown() {
-    return this.page.evaluate(() => {
-      const places = ".problem .helm-state .countdown .run .age .asked .taken .target .reply #notice .scene-tools>.note".split(" ");
-      const texts = places.map((at) => [at, document.querySelector(at)?.textContent]).filter(([, text]) => text);
-      return JSON.stringify(Object.fromEntries(texts));
-    });
-  }
-  reads(at, pattern) {
-    const read = (at, pattern) => {
-      const text = document.querySelector(at)?.textContent ?? "";
-      return new RegExp(pattern).test(text) && text;
-    };
-    return this.until(`${pattern} at ${at}`, read, at, pattern.source);
-  }
-  press(text) {
-    return this.until(`a button "${text}"`, (text) => {
-      const all = [...document.querySelectorAll("button")];
-      const button = all.find((it) => it.textContent === text && it.offsetParent && !it.disabled);
-      button?.click();
-      return Boolean(button);
-    }, text);
-  }
-  now() {
-    return this.page.evaluate(() => performance.now());
-  }
-  said(what, since_ms = 0) {
-    return this.page.evaluate((what, since_ms) => heard.filter((it) => it.do === what && it.at_ms >= since_ms), what, since_ms);
-  }
-  /** The first thing said of a kind, after a moment, that is as asked. */
-  async says(what, since_ms, is_it = () => true) {
-    for (const from_ms = Date.now(); Date.now() < from_ms + LIMIT_MS; await sleep(50)) {
-      const found = (await this.said(what, since_ms)).find(is_it);
-      if (found) return found;
-    }
-    throw new Error(`${this.name}: no ${what} as asked is said; ${await this.shown()}`);
-  }
-}
-
-/** Hal and what the headset does. */
-class Wearer extends Person {
-  /** Runs a change of the device in the page, and waits for two frames after it. */
-  async change(how, ...given) {
-    await this.page.evaluate(how, ...given);
-    const frames = await this.page.evaluate(() => seen.frames);
-    await this.until("frames of the headset", (frames) => seen.frames >= frames + 2, frames);
-  }
-  async enter(text, pattern) {
-    await this.press(text);
-    return this.reads(".scene-tools > .note", pattern);
-  }
-  /** A controller there, pointing along a direction. */
-  aim(side, at, ahead) {
-    return this.change((side, at, ahead) => {
-      // From -z to `ahead`: about their cross product, by half the angle.
-      const [x, y, z] = ahead.map((it) => it / Math.hypot(...ahead));
-      const q = [y, -x, 0, 1 - z];
-      const size = Math.hypot(...q);
-      device.controllers[side].position.set(...at);
-      device.controllers[side].quaternion.set(...q.map((it) => it / size));
-    }, side, at, ahead);
-  }
-  value(side, button, value) {
-    return this.change((side, button, value) => device.controllers[side].updateButtonValue(button, value), side, button, value);
-  }
-  stick(side, x, y) {
-    return this.change((side, x, y) => device.controllers[side].updateAxes("thumbstick", x, y), side, x, y);
-  }
-  /** The n-th of so many buttons of the board (board.ts), with the right hand's ray from the head. */
-  async board(nth, many) {
-    const [wide, high, per_m, turn] = [560, 700, 1500, 0.6];
-    const x = (nth % 2 === 0 ? 150 : 410) - wide / 2;
-    const y = high / 2 - (high - (Math.ceil(many / 2) - Math.floor(nth / 2)) * 64 - 6 + 27);
-    const [right, up] = [x / per_m, y / per_m];
-    const middle = [-0.65 * Math.sin(turn), -0.15, -0.65 * Math.cos(turn)];
-    const head = [0, EYES_M, 0];
-    await this.aim("right", head, [middle[0] + right * Math.cos(turn), middle[1] + up, middle[2] - right * Math.sin(turn)]);
-    await this.value("right", "trigger", 1);
-    await this.value("right", "trigger", 0);
-  }
-  /** Where the others are told that one's head is. */
-  async look() {
-    await sleep(600); // told four times a second
-    return (await this.said("look")).at(-1);
-  }
-}
-Wearer.sitDown = async (...given) => {
-  const { name, page } = await Person.sitDown(...given);
-  return new Wearer(name, page);
-};
+const AT = { address, iwer, fail };
 
 let ann, hal, pia;
 const browsers = [];
@@ -189,15 +35,10 @@ for (let i = 0; i < 2; ++i) {
   }));
 }
 
-const near = (found, expected, within, what) =>
-  assert(Math.abs(found - expected) <= within, `${what}: ${found}, expected ${expected} within ${within}`);
-const moved_m = (a, b) => Math.hypot(b.from.east_m - a.from.east_m, b.from.north_m - a.from.north_m);
-const isZero = (it) => it.velocity.every((axis) => axis === 0);
-
 const steps = {
   async "ways into the scene are offered where there is a headset, and axe-core finds nothing"() {
-    ann = await Person.sitDown("Ann", browsers[0], false);
-    hal = await Wearer.sitDown("Hal", browsers[1], true);
+    ann = await Person.sitDown("Ann", browsers[0], AT);
+    hal = await Wearer.sitDown("Hal", browsers[1], AT, { wears: true });
     await ann.press("Ask for the helm");
     await ann.reads(".helm-state", /^You drive/);
     for (const person of [ann, hal]) await person.press("Scene");
@@ -223,7 +64,7 @@ const steps = {
     const since_ms = await hal.now();
     await hal.change(() => {});
     await hal.says("saw", since_ms);
-    const picture = await hal.page.screenshot();
+    const picture = await hal.picture();
     writeFileSync(join(work, "vr.png"), picture);
     assert(picture.length > 5000, `a picture of one colour: ${picture.length} bytes`);
     return words;
@@ -235,7 +76,7 @@ const steps = {
     const [ahead_m, below_m, up_rad] = [0.4, 0.3, Math.PI / 9];
     await hal.aim("right", [0, EYES_M - below_m, -ahead_m], [0, Math.sin(up_rad), -Math.cos(up_rad)]);
     await hal.value("right", "trigger", 1);
-    writeFileSync(join(work, "throw.png"), await hal.page.screenshot());
+    writeFileSync(join(work, "throw.png"), await hal.picture());
     await hal.value("right", "trigger", 0);
     const after = await hal.look();
     const fall_m = before.from.up_m - below_m - BED_M;
@@ -285,7 +126,7 @@ const steps = {
   },
 
   async "the helm goes from the desk to the headset: asked for on the board, granted at the desk"() {
-    await hal.board(0, 6); // Ask for the helm
+    await hal.board("Ask for the helm");
     const hers = await ann.reads(".helm-state", /Hal asks for the helm/);
     await ann.press("Grant");
     await hal.reads(".helm-state", /^You drive/);
@@ -313,18 +154,39 @@ const steps = {
     return `${sticks.length} sticks; ${taken}`;
   },
 
+  async "HOLD in the middle of a squeeze holds: no stick follows it, not even a zero"() {
+    const since_ms = await hal.now();
+    await hal.stick("left", 0, -1);
+    await hal.value("left", "squeeze", 1);
+    await hal.says("stick", since_ms, (it) => it.velocity[0] > 0.1);
+    await hal.value("right", "b-button", 1);
+    await hal.value("right", "b-button", 0);
+    const hold = await hal.says("hold", since_ms);
+    await sleep(400);
+    assert.deepEqual(await hal.said("stick", hold.at_ms), [], "squeezed on");
+    await hal.value("left", "squeeze", 0);
+    await sleep(400);
+    assert.deepEqual(await hal.said("stick", hold.at_ms), [], "let go");
+    await hal.value("left", "squeeze", 1);
+    await hal.says("stick", hold.at_ms, (it) => it.velocity[0] > 0.1); // squeezed anew
+    await hal.value("left", "squeeze", 0);
+    await hal.stick("left", 0, 0);
+    return hal.reads(".asked", /^Stick at rest/);
+  },
+
   async "hidden by the system's menu it lets go, and wants a new squeeze"() {
     const since_ms = await hal.now();
     await hal.stick("left", 0, -1);
     await hal.value("left", "squeeze", 1);
     await hal.says("stick", since_ms, (it) => it.velocity[0] > 0.1);
+    const before_ms = await hal.now();
     await hal.change(() => device.updateVisibilityState("visible-blurred"));
     const blurred_ms = await hal.now();
     await sleep(500);
     await hal.change(() => device.updateVisibilityState("visible"));
     await sleep(500);
     assert(isZero((await hal.said("stick")).at(-1)), "the last stick");
-    assert((await hal.said("stick", blurred_ms)).every(isZero), "a stick goes out under the menu, or after it by itself");
+    endInZero(await hal.said("stick", before_ms), blurred_ms, "under the menu, and after it");
     await hal.value("left", "squeeze", 0);
   },
 
@@ -332,6 +194,7 @@ const steps = {
     const since_ms = await hal.now();
     await hal.value("left", "squeeze", 1);
     await hal.says("stick", since_ms, (it) => it.velocity[0] > 0.1);
+    const before_ms = await hal.now();
     await hal.change(() => (device.controllers.left.connected = false));
     const lost_ms = await hal.now();
     await hal.reads(".scene-tools > .note", /^In the headset \(VR\): right controller\.$/);
@@ -339,7 +202,7 @@ const steps = {
     await hal.change(() => (device.controllers.left.connected = true));
     await sleep(400);
     assert(isZero((await hal.said("stick")).at(-1)), "the last stick");
-    assert((await hal.said("stick", lost_ms)).every(isZero), "a stick goes out without a hand");
+    endInZero(await hal.said("stick", before_ms), lost_ms, "without a hand");
     await hal.value("left", "squeeze", 0);
   },
 
@@ -347,17 +210,18 @@ const steps = {
     const since_ms = await hal.now();
     await hal.value("left", "squeeze", 1);
     await hal.says("stick", since_ms, (it) => it.velocity[0] > 0.1);
+    const before_ms = await hal.now();
     await hal.page.evaluate(() => device.activeSession.end());
     const lost_ms = await hal.now();
     await hal.until("the buttons", () => [...document.querySelectorAll(".scene-tools button")].some((it) => it.textContent === "Enter VR" && it.offsetParent));
     await sleep(500);
     assert(isZero((await hal.said("stick")).at(-1)), "the last stick");
-    assert((await hal.said("stick", lost_ms)).every(isZero), "a stick goes out without a headset");
+    endInZero(await hal.said("stick", before_ms), lost_ms, "without a headset");
     // The desk's view is drawn again, where it was.
     const at_desk = await hal.look();
     await hal.enter("Enter VR", /left controller, right controller/);
     await sleep(500);
-    assert((await hal.said("stick", lost_ms)).every(isZero), "a squeeze from before drives");
+    endInZero(await hal.said("stick", before_ms), lost_ms, "squeezed since before");
     const in_it = await hal.look();
     for (const axis of ["east_m", "north_m", "up_m"]) near(in_it.from[axis], at_desk.from[axis], 0.05, `begins at the desk's ${axis}`);
     await hal.value("left", "squeeze", 0);
@@ -368,6 +232,16 @@ const steps = {
     await hal.stick("left", 0, 0);
   },
 
+  async "a headset that is put down gives the desk its view back"() {
+    const covers = () => hal.page.$eval(".scene-cover", (it) => !it.hidden && /The scene is in the headset/.test(it.textContent));
+    assert.equal(await covers(), true);
+    await hal.page.evaluate(() => device.updateVisibilityState("hidden"));
+    await hal.until("the buttons", () => [...document.querySelectorAll(".scene-tools button")].some((it) => it.textContent === "Enter VR" && it.offsetParent));
+    assert.equal(await covers(), false);
+    await hal.page.evaluate(() => device.updateVisibilityState("visible"));
+    return hal.enter("Enter VR", /left controller, right controller/);
+  },
+
   async "two hands are drawn with 25 joints each, and a pinched one drives by how far it moved"() {
     await hal.change(() => (device.primaryInputMode = "hand"));
     const words = await hal.reads(".scene-tools > .note", /left hand \(25 joints\), right hand \(25 joints\)/);
@@ -375,7 +249,7 @@ const steps = {
       device.hands.left.position.set(-0.2, 1.2, -0.4);
       device.hands.right.position.set(0.2, 1.2, -0.4);
     });
-    writeFileSync(join(work, "hands.png"), await hal.page.screenshot());
+    writeFileSync(join(work, "hands.png"), await hal.picture());
     const since_ms = await hal.now();
     await hal.change(() => device.hands.right.updatePinchValue(1));
     const still = await hal.says("stick", since_ms);
@@ -415,7 +289,7 @@ const steps = {
     // The middle of the table, at sea level under the vehicle's place: 0.6 m before the head, 0.5 m below it.
     const at = [placed.east_m / 500, EYES_M - 0.5 + placed.up_m / 500, -0.6 - placed.north_m / 500];
     await put(at.map((it, i) => it - off[i]));
-    writeFileSync(join(work, "table.png"), await hal.page.screenshot());
+    writeFileSync(join(work, "table.png"), await hal.picture());
     await pinch(1);
     const held_ms = await hal.now();
     const [right_m, back_m] = [0.031, -0.022]; // 15.5 m to the east, 11 m to the north
@@ -452,48 +326,14 @@ const steps = {
     await ann.reads(".log li", /Hal hold rov 1/);
     await ann.press("Ask for the helm");
     await hal.reads(".helm-state", /Ann asks for the helm/);
-    await hal.change(() => {});
-    await sleep(300); // the board is drawn five times a second
-    await hal.board(2, 10); // HOLD, Give back, Grant
+    await hal.board("Grant");
     await ann.reads(".helm-state", /^You drive/);
     return hal.reads(".helm-state", /^Ann drives/);
   },
 
   async "a telephone beside them takes the helm, drives by touch, and looks about in the scene"() {
-    pia = await Person.sitDown("Pia", browsers[0], false, TELEPHONE);
-    await pia.press("Ask for the helm");
-    await ann.press("Grant");
-    await pia.reads(".helm-state", /^You drive/);
-    await hal.reads(".helm-state", /^Pia drives/);
-    const ring = await pia.page.waitForSelector(".touch-stick .ring", { visible: true, timeout: LIMIT_MS });
-    await ring.scrollIntoView();
-    const { x, y, width, height } = await ring.boundingBox();
-    const [middle, upper] = [{ x: x + width / 2, y: y + height / 2 }, { x: x + width / 2, y: y + 0.1 * height }];
-    const since_ms = await pia.now();
-    await pia.page.touchscreen.touchStart(middle.x, middle.y);
-    await pia.page.touchscreen.touchMove(upper.x, upper.y);
-    const driven = await pia.says("stick", since_ms, (it) => it.velocity[0] > 0.1);
-    await hal.until("a vehicle that moves", () => parseFloat(document.querySelector(".vehicles tbody td:nth-of-type(3)").textContent) >= 0.1);
-    await pia.page.touchscreen.touchEnd();
-    await sleep(400);
-    assert(isZero((await pia.said("stick")).at(-1)), "the last stick");
-    await pia.press("Give back");
-
-    await pia.press("Scene");
-    const before = await pia.says("look", since_ms);
-    const canvas = await pia.page.$("#scene-canvas");
-    await canvas.scrollIntoView();
-    const box = await canvas.boundingBox();
-    const across = { y: box.y + box.height / 2, from: box.x + 0.3 * box.width, to: box.x + 0.3 * box.width + 100 };
-    await pia.page.touchscreen.touchStart(across.from, across.y);
-    await pia.page.touchscreen.touchMove(across.to, across.y);
-    await pia.page.touchscreen.touchEnd();
-    // 100 pixels are 0.6 radians (scene_panel.ts).
-    const turn_deg = (100 * 0.006 * 180) / Math.PI;
-    const turned = await pia.says("look", since_ms, (it) => Math.abs(it.heading_deg - before.heading_deg) > 2);
-    const by_deg = Math.abs(((turned.heading_deg - before.heading_deg + 540) % 360) - 180);
-    near(by_deg, turn_deg, 1, "turned by a finger, degrees");
-    return `${driven.velocity[0]} m/s; a finger turns the view by ${by_deg} degrees`;
+    pia = await Person.sitDown("Pia", browsers[0], AT, { viewport: TELEPHONE });
+    return telephone_drives(ann, hal, pia);
   },
 };
 
