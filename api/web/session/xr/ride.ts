@@ -18,7 +18,7 @@ export class Ride {
     this.on = null;
   }
 
-  /** How far it went since it was last asked; null: nobody rides. A vehicle that is gone ends it. */
+  /** How far it went since the last step; null: nobody rides. A vehicle that is gone ends it. */
   step(poses: ReadonlyMap<number, Pose>): Vector3 | null {
     const pose = this.on === null ? undefined : poses.get(this.on.vehicle);
     if (this.on === null || pose === undefined) {

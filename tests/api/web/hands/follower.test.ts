@@ -123,7 +123,7 @@ test('NoiseOfTwoPercentLeavesTheRateWithinAHand', () => {
   before.show_hand(moved, 20);
   for (let i = 0; i < 500; i += 1) {
     const { pan_deg_s } = before.show_hand(shaken(moved, 0.02, size, random), 1);
-    // Smoothed, the noise leaves a deviation of 0.13 degrees a second: four of them, in 500 pictures.
+    // Smoothed, the noise leaves a deviation of 0.13 degrees a second: four of them in 500.
     assert.ok(Math.abs(pan_deg_s - expected_deg_s(0.7)) < 0.52, `${pan_deg_s}`);
   }
 });

@@ -178,7 +178,7 @@ test('the table may be laid where the headset finds a floor', async () => {
   assert.equal(floor.at, null);
 });
 
-test('the search for a floor ends with the session, also where it was granted after that', async () => {
+test('the search for a floor ends with the session, also one that is granted later', async () => {
   for (const is_late of [false, true]) {
     let cancelled = 0;
     let grant = (): void => undefined;
