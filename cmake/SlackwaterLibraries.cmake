@@ -13,6 +13,7 @@ find_package(CLI11 REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(cereal REQUIRED)
 find_package(date REQUIRED)  # Howard Hinnant's: time zones, from the system's tzdata
 
 function(slackwater_library name)
@@ -43,6 +44,8 @@ slackwater_library(png PKG libpng)
 slackwater_library(jpeg PKG libturbojpeg)
 slackwater_library(zstd PKG libzstd)
 slackwater_library(lz4 PKG liblz4)
+slackwater_library(seccomp PKG libseccomp)
+slackwater_library(cereal LINK cereal::cereal)
 slackwater_library(date LINK date::date-tz)
 if(SLACKWATER_SANITIZE MATCHES thread AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # TSan does not know the fences that asio puts beside its locks; the locks it knows.

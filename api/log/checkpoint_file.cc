@@ -10,7 +10,10 @@
 #include "data/store/durable.h"
 #include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
+#include "fields/base/given_file.h"
+#include "fields/base/process/run_apart.h"
 #include "fields/base/whole_file.h"
+#include "ingest/apart/read_apart.h"
 
 namespace slackwater::api {
 namespace {
@@ -19,6 +22,7 @@ using nlohmann::json;
 
 constexpr std::string_view first_line = "slackwater checkpoint 1\n";
 constexpr std::size_t digest_size = 64;
+constexpr std::size_t most_bytes = std::size_t{4} << 30U;
 
 void append(std::string& bytes, const std::vector<double>& numbers) {
   bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
@@ -54,10 +58,7 @@ json head_of(const StandingRun& run, const CheckpointOrigin& origin) {
 
 /// The bytes after the first two lines, whose checksum holds.
 std::string checked_bytes(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file))
-    throw Error(ErrorKind::not_found, "no checkpoint at " + file.string());
-  std::string bytes(std::istreambuf_iterator<char>(in), {});
+  const std::string bytes = text_of_given_file(file, "a checkpoint", most_bytes);
   if (!bytes.starts_with(first_line)) {
     refuse(file,
            bytes.starts_with("slackwater checkpoint ")
@@ -111,6 +112,27 @@ StandingRun run_of(const json& head, std::string_view rows) {
   return run;
 }
 
+StandingRun parsed_checkpoint(const std::filesystem::path& file, const CheckpointOrigin& origin) {
+  const std::string body = checked_bytes(file);
+  try {
+    const std::size_t line = body.find('\n');
+    const std::size_t size = std::stoul(body.substr(0, line));
+    const json head = json::parse(std::string_view(body).substr(line + 1, size));
+    expect_same(file, "scenario (checksum)", head.at("scenario_sha256"), origin.scenario_sha256);
+    expect_same(file, "forecast (checksum)", head.at("forecast_sha256"), origin.forecast_sha256);
+    expect_same(file, "set of vehicle files (checksums)", head.at("vehicle_files_sha256"),
+                origin.vehicles);
+    expect_same(file, "traffic (checksum)", head.at("traffic_sha256"), origin.traffic_sha256);
+    expect_same(file, "version of the program", head.at("program"), origin.program);
+    return run_of(head, std::string_view(body).substr(line + 1 + size));
+  } catch (const Error& problem) {
+    if (problem.message().starts_with(file.string())) throw;
+    refuse(file, problem.message());
+  } catch (const std::exception& problem) {
+    refuse(file, std::string("holds no state of this program (") + problem.what() + ")");
+  }
+}
+
 }  // namespace
 
 void write_checkpoint(const StandingRun& run, const CheckpointOrigin& origin,
@@ -132,25 +154,15 @@ void write_checkpoint(const StandingRun& run, const CheckpointOrigin& origin,
   store::sync_folder(std::filesystem::absolute(file).parent_path());
 }
 
+/// It may be a stranger's: it is tried first where it can do no harm.
 StandingRun read_checkpoint(const std::filesystem::path& file, const CheckpointOrigin& origin) {
-  const std::string body = checked_bytes(file);
-  try {
-    const std::size_t line = body.find('\n');
-    const std::size_t size = std::stoul(body.substr(0, line));
-    const json head = json::parse(std::string_view(body).substr(line + 1, size));
-    expect_same(file, "scenario (checksum)", head.at("scenario_sha256"), origin.scenario_sha256);
-    expect_same(file, "forecast (checksum)", head.at("forecast_sha256"), origin.forecast_sha256);
-    expect_same(file, "set of vehicle files (checksums)", head.at("vehicle_files_sha256"),
-                origin.vehicles);
-    expect_same(file, "traffic (checksum)", head.at("traffic_sha256"), origin.traffic_sha256);
-    expect_same(file, "version of the program", head.at("program"), origin.program);
-    return run_of(head, std::string_view(body).substr(line + 1 + size));
-  } catch (const Error& problem) {
-    if (problem.message().starts_with(file.string())) throw;
-    refuse(file, problem.message());
-  } catch (const std::exception& problem) {
-    refuse(file, std::string("holds no state of this program (") + problem.what() + ")");
+  if (is_alone()) {
+    static_cast<void>(ingest::read_apart(file, ingest::allowance_for(file), [&](const TellShare&) {
+      static_cast<void>(parsed_checkpoint(file, origin));
+      return std::string();
+    }));
   }
+  return parsed_checkpoint(file, origin);
 }
 
 }  // namespace slackwater::api

@@ -13,9 +13,9 @@
 #include <cstring>
 #include <utility>
 
-#include "api/program/pipe.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "fields/base/process/pipe.h"
 
 namespace slackwater::api {
 namespace {
@@ -27,6 +27,7 @@ constexpr std::size_t most_said = 4096;
 
 pid_t start(const std::vector<std::string>& command, const Pipe& in, const Pipe& err) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& argument : command)
     arguments.push_back(const_cast<char*>(argument.c_str()));  // execvp's signature
   arguments.push_back(nullptr);

@@ -22,7 +22,7 @@ class AppendFile {
   [[noreturn]] void fail(int system_errno) const;
 
   std::filesystem::path path_;
-  store::Descriptor file_;
+  Descriptor file_;
   std::uint64_t size_ = 0;
 };
 

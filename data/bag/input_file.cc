@@ -10,6 +10,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "fields/base/given_file.h"
 
 namespace slackwater::bag {
 namespace {
@@ -23,7 +24,7 @@ constexpr std::uint64_t large_window = std::uint64_t{64} << 10U;
 }
 
 int opened(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) fail(path, errno);
   return file;
 }
@@ -33,6 +34,7 @@ int opened(const std::filesystem::path& path) {
 InputFile::InputFile(const std::filesystem::path& path) : path_(path), file_(opened(path)) {
   struct stat found {};
   if (::fstat(file_.value(), &found) != 0) fail(path_, errno);
+  refuse_device(path_);
   size_ = static_cast<std::uint64_t>(found.st_size);
 }
 

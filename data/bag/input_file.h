@@ -25,7 +25,7 @@ class InputFile {
 
  private:
   std::filesystem::path path_;
-  store::Descriptor file_;
+  Descriptor file_;
   std::uint64_t size_ = 0;
 };
 

@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
-#include <utility>
 
 #include "fields/base/error.h"
 
@@ -31,14 +30,6 @@ void sync_path(const std::filesystem::path& path, int flags, const char* doing) 
 }
 
 }  // namespace
-
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-  std::swap(value_, other.value_);
-  return *this;
-}
-Descriptor::~Descriptor() {
-  if (value_ >= 0) ::close(value_);
-}
 
 void sync_file(const std::filesystem::path& file) { sync_path(file, O_RDONLY, "bring to disk"); }
 

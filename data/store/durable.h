@@ -1,23 +1,9 @@
 #pragma once
 #include <filesystem>
 
+#include "fields/base/descriptor.h"
+
 namespace slackwater::store {
-
-/// An open descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int value) noexcept : value_(value) {}
-  Descriptor(Descriptor&& other) noexcept : value_(other.value_) { other.value_ = -1; }
-  Descriptor& operator=(Descriptor&& other) noexcept;
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor();
-  [[nodiscard]] int value() const noexcept { return value_; }
-  [[nodiscard]] bool is_open() const noexcept { return value_ >= 0; }
-
- private:
-  int value_;
-};
 
 /// Calls that return only once the effect would survive a power cut. All throw Error(unavailable)
 /// with the path, the system's own text and what to do.

@@ -13,6 +13,7 @@
 #include "fields/base/advice.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "fields/base/given_file.h"
 #include "fields/base/text.h"
 
 namespace slackwater {
@@ -231,25 +232,7 @@ Config Config::merged_over(const Config& base, const std::set<std::string>& left
 }
 
 Config Config::load(const std::filesystem::path& file) {
-  std::error_code problem;
-  if (std::filesystem::is_directory(file, problem)) {
-    throw Error(ErrorKind::invalid_input, "found the folder " + file.string() +
-                                              " where a YAML file was expected; name a file in it");
-  }
-  const auto size = std::filesystem::file_size(file, problem);
-  if (problem) {
-    throw Error(ErrorKind::not_found,
-                "cannot read " + file.string() + ": " + problem.message() + "; check the path");
-  }
-  if (size > largest_file) {
-    throw Error(ErrorKind::invalid_input,
-                file.string() + ": longer than 4 MiB; this is not a configuration file");
-  }
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) throw Error(ErrorKind::unavailable, "cannot read " + file.string());
-  return parse(text.str(), file.string());
+  return parse(text_of_given_file(file, "a YAML file", largest_file), file.string());
 }
 
 bool Config::has(std::string_view key) const { return node_->find(key) != nullptr; }

@@ -8,6 +8,7 @@
 #include "fields/base/advice.h"
 #include "fields/base/config.h"
 #include "fields/base/error.h"
+#include "fields/base/given_file.h"
 #include "fields/base/text.h"
 
 namespace slackwater {
@@ -90,22 +91,6 @@ std::optional<ChartDatum> read_chart_datum(const Config& config) {
   if (datum.source.empty())
     stated->refuse("source", "expected the chart or tide table that says how far below it is");
   return datum;
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    throw Error(ErrorKind::invalid_input,
-                "found the folder " + file.string() +
-                    " where a site's YAML file was expected; name a file in "
-                    "it");
-  }
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream)
-    throw Error(ErrorKind::not_found, "cannot read " + file.string() + "; check the path");
-  return text.str();
 }
 
 bool looks_like_path(const std::string& text) {
@@ -195,10 +180,12 @@ std::vector<std::string> known_sites(const std::vector<std::filesystem::path>& f
 
 SiteText find_site_text(const std::string& id_or_path,
                         const std::vector<std::filesystem::path>& folders) {
-  if (looks_like_path(id_or_path)) return {read_text(id_or_path), id_or_path};
+  if (looks_like_path(id_or_path))
+    return {text_of_given_file(id_or_path, "a site's YAML file"), id_or_path};
   for (const auto& folder : folders) {
     const auto file = folder / (id_or_path + ".yaml");
-    if (std::filesystem::exists(file)) return {read_text(file), file.string()};
+    if (std::filesystem::exists(file))
+      return {text_of_given_file(file, "a site's YAML file"), file.string()};
   }
   const std::vector<std::string> known = known_sites(folders);
   const std::string list = known.empty() ? "none" : joined(known, " ");

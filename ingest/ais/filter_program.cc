@@ -10,11 +10,16 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <sstream>
 #include <thread>
 #include <utility>
 
+#include "fields/base/descriptor.h"
 #include "fields/base/error.h"
+#include "fields/base/process/confinement.h"
 
 namespace slackwater::ingest {
 namespace {
@@ -27,26 +32,6 @@ constexpr std::size_t most_line_bytes = 65536;
                   "` by hand, or install it anew: " + program.install_advice);
 }
 
-/// A file descriptor that is closed.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) noexcept : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  [[nodiscard]] int number() const noexcept { return number_; }
-  [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
-  void close() noexcept {
-    if (is_open()) ::close(std::exchange(number_, -1));
-  }
-
- private:
-  int number_;
-};
-
 /// A connected pair of sockets: unlike a pipe it can be written to without a SIGPIPE when the
 /// reader is gone.
 std::pair<Descriptor, Descriptor> make_pair_of_sockets(const FilterProgram& program) {
@@ -55,6 +40,35 @@ std::pair<Descriptor, Descriptor> make_pair_of_sockets(const FilterProgram& prog
     unavailable(program, std::string("cannot be connected to: ") + std::strerror(errno));
   }
   return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+/// Where a command is, as a shell finds it; empty: nowhere.
+std::filesystem::path found_on_path(const std::string& command) {
+  const char* const path = std::getenv("PATH");
+  std::stringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    auto file = std::filesystem::path(folder) / command;
+    if (::access(file.c_str(), X_OK) == 0) return file;
+  }
+  return {};
+}
+
+/// A copy of this process that becomes the program. Between the two nothing is allocated, as other
+/// threads of ours may hold the lock of that. @return the process; -1: none, as errno says
+pid_t start_confined(const std::filesystem::path& file, char* const* arguments,
+                     char* const* environment, const Descriptor& input, const Descriptor& output) {
+  Reach reach;
+  reach.programs = {file, "/lib64/ld-linux-x86-64.so.2", "/lib/ld-linux-aarch64.so.1"};
+  reach.readable = {"/lib", "/usr/lib", "/etc/ld.so.cache"};
+  const Confinement confinement(reach);
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  const bool is_ready = ::dup2(input.value(), STDIN_FILENO) >= 0 &&
+                        ::dup2(output.value(), STDOUT_FILENO) >= 0 &&
+                        ::dup2(nothing, STDERR_FILENO) >= 0 && confinement.apply();
+  if (is_ready) ::execve(file.c_str(), arguments, environment);
+  ::_exit(127);
 }
 
 /// A started program; killed and waited for unless it was seen to end.
@@ -74,14 +88,8 @@ class Child {
     environment.push_back(locale.data());
     environment.push_back(nullptr);
 
-    posix_spawn_file_actions_t actions;
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_adddup2(&actions, input.number(), STDIN_FILENO);
-    ::posix_spawn_file_actions_adddup2(&actions, output.number(), STDOUT_FILENO);
-    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    const int problem = ::posix_spawnp(&process_, words.front().c_str(), &actions, nullptr,
-                                       arguments.data(), environment.data());
-    ::posix_spawn_file_actions_destroy(&actions);
+    const int problem = program.is_confined ? confined(arguments, environment, input, output)
+                                            : spawned(arguments, environment, input, output);
     if (problem == 0) return;
     process_ = -1;
     if (problem != ENOENT)
@@ -98,6 +106,27 @@ class Child {
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
+
+  /// @return what kept it from starting; 0: nothing
+  int spawned(std::vector<char*>& arguments, std::vector<char*>& environment,
+              const Descriptor& input, const Descriptor& output) {
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_adddup2(&actions, input.value(), STDIN_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions, output.value(), STDOUT_FILENO);
+    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    const int problem = ::posix_spawnp(&process_, arguments.front(), &actions, nullptr,
+                                       arguments.data(), environment.data());
+    ::posix_spawn_file_actions_destroy(&actions);
+    return problem;
+  }
+  int confined(std::vector<char*>& arguments, std::vector<char*>& environment,
+               const Descriptor& input, const Descriptor& output) {
+    const std::filesystem::path file = found_on_path(arguments.front());
+    if (file.empty()) return ENOENT;
+    process_ = start_confined(file, arguments.data(), environment.data(), input, output);
+    return process_ < 0 ? errno : 0;
+  }
 
   /// Waits for its end, which must be a good one.
   void finish(const FilterProgram& program) {
@@ -175,14 +204,14 @@ void run_filter(const FilterProgram& program, const Produce& produce, const Cons
       else if (input.empty())
         continue;
     }
-    std::array<pollfd, 2> wanted{pollfd{ours_out.number(), POLLIN, 0},
-                                 pollfd{ours_in.number(), POLLOUT, 0}};
+    std::array<pollfd, 2> wanted{pollfd{ours_out.value(), POLLIN, 0},
+                                 pollfd{ours_in.value(), POLLOUT, 0}};
     const int ready =
         ::poll(wanted.data(), wanted.size(), static_cast<int>(program.patience.count()));
     if (ready < 0 && errno == EINTR) continue;
     if (ready <= 0) unavailable(program, "does not answer");
     if (wanted[1].revents != 0) {
-      const ssize_t count = ::send(ours_in.number(), input.data() + sent, input.size() - sent,
+      const ssize_t count = ::send(ours_in.value(), input.data() + sent, input.size() - sent,
                                    MSG_NOSIGNAL | MSG_DONTWAIT);
       if (count >= 0) {
         sent += static_cast<std::size_t>(count);
@@ -191,7 +220,7 @@ void run_filter(const FilterProgram& program, const Produce& produce, const Cons
       }
     }
     if (wanted[0].revents != 0) {
-      const ssize_t count = ::recv(ours_out.number(), bytes.data(), bytes.size(), MSG_DONTWAIT);
+      const ssize_t count = ::recv(ours_out.value(), bytes.data(), bytes.size(), MSG_DONTWAIT);
       if (count > 0) {
         lines.take({bytes.data(), static_cast<std::size_t>(count)});
       } else if (count == 0 || !would_block()) {

@@ -13,6 +13,9 @@ struct FilterProgram {
   std::vector<std::string> command;  ///< found on the PATH and run as it stands: no shell reads it
   std::string install_advice;        ///< "apt install gpsd-clients"
   Duration patience = std::chrono::seconds(30);  ///< without a byte in either direction
+  /// It needs its input alone, and gets no more: no file but those of its libraries, no network, no
+  /// other program (fields/base/process/confinement.h).
+  bool is_confined = false;
 };
 
 /// Appends input for the program. @return false when there is no more

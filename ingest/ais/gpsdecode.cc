@@ -60,7 +60,9 @@ class Matcher {
 }  // namespace
 
 FilterProgram gpsdecode_program() {
-  return {{"gpsdecode", "-j", "-s", "-v", "-u"}, "apt install gpsd-clients"};
+  FilterProgram program{{"gpsdecode", "-j", "-s", "-v", "-u"}, "apt install gpsd-clients"};
+  program.is_confined = true;
+  return program;
 }
 
 std::size_t decode_messages(const FilterProgram& decoder, const NextMessage& next,

@@ -10,6 +10,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "fields/base/given_file.h"
 #include "ingest/text/packed.h"
 
 namespace slackwater::ingest {
@@ -64,11 +65,9 @@ struct ByteSource::State {
   }
 };
 
-ByteSource::ByteSource(const std::filesystem::path& file)
-    : state_(std::make_unique<State>(State{std::ifstream(file, std::ios::binary)})) {
-  if (!state_->file || std::filesystem::is_directory(file)) {
-    throw Error(ErrorKind::not_found, "cannot read " + file.string() + "; expected a file");
-  }
+ByteSource::ByteSource(const std::filesystem::path& file) : state_(std::make_unique<State>()) {
+  expect_given_file(file, "a file");
+  state_->file.open(file, std::ios::binary);
   std::string first(6, '\0');
   state_->file.read(first.data(), static_cast<std::streamsize>(first.size()));
   first.resize(static_cast<std::size_t>(state_->file.gcount()));

@@ -338,6 +338,8 @@ TEST(IncludeArrows, EachLibraryHasOneDoor) {
                                                                {"zlib.h", "api/door/http"},
                                                                {"spdlog/", "fields/base"},
                                                                {"date/", "fields/base/local_time"},
+                                                               {"seccomp.h", "fields/base/process"},
+                                                               {"cereal/", "ingest/apart"},
                                                                {"coin/", "api/ask/plan"},
                                                                {"png.h", "api/show/render"},
                                                                {"turbojpeg.h", "api/perception"},

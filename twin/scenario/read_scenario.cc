@@ -8,6 +8,7 @@
 #include "fields/base/config.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "fields/base/given_file.h"
 #include "fields/wave/scenario_sea.h"
 #include "twin/clearance/read_stand_off.h"
 #include "twin/control/patterns.h"
@@ -467,18 +468,7 @@ Scenario parse_scenario(std::string_view yaml, std::string_view name) {
 }
 
 Scenario read_scenario(const std::filesystem::path& file) {
-  if (std::error_code ignored; std::filesystem::is_directory(file, ignored)) {
-    throw Error(ErrorKind::invalid_input, "found the folder " + file.string() +
-                                              " where a YAML file was expected; name a file in it");
-  }
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
-    throw Error(ErrorKind::not_found,
-                "no scenario at " + file.string() + "; give the path of a YAML file");
-  }
-  std::ostringstream text;
-  text << in.rdbuf();
-  return parse_scenario(text.str(), file.string());
+  return parse_scenario(text_of_given_file(file, "the YAML file of a scenario"), file.string());
 }
 
 }  // namespace slackwater::twin

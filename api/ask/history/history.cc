@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "api/ask/history/sea_limit.h"
-#include "api/pipeline/ingest/read_history_apart.h"
 #include "api/pipeline/store_history.h"
 #include "api/program/paths.h"
 #include "fields/base/advice.h"
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "ingest/apart/read_history_apart.h"
 #include "ingest/cf/units.h"
 
 namespace slackwater::api {
@@ -163,7 +163,8 @@ Gathered gather(const HistorySource& source, History& history,
   const std::vector<std::string>& wanted = history.wanted;
   Gathered gathered(wanted);
   for (const std::filesystem::path& file : source.files)
-    gathered.add(file.string(), read_history_apart(file, wanted, source.options, vocabulary));
+    gathered.add(file.string(),
+                 ingest::read_history_apart(file, wanted, source.options, vocabulary));
   if (source.site.empty()) {
     gathered.expect_columns(source.options.columns);
     return gathered;

@@ -8,6 +8,7 @@
 #include "api/log/command_tables.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "ingest/apart/read_tracks_apart.h"
 
 namespace slackwater::api {
 namespace {
@@ -33,7 +34,7 @@ struct RenderedRun::Parts {
 
   Parts(const RenderChoice& chosen, const std::filesystem::path& store_folder)
       : choice(chosen),
-        log(ingest::read_trajectories(chosen.log)),
+        log(ingest::read_tracks_apart(chosen.log)),
         scenario(scenario_of_log(log, chosen.log)),
         poses(log),
         water(logged_water(log, scenario, store_folder, chosen.forecast)),

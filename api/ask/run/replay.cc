@@ -16,6 +16,7 @@
 #include "api/program/version.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "ingest/apart/read_tracks_apart.h"
 
 namespace slackwater::api {
 namespace {
@@ -132,7 +133,7 @@ ReplayResult replay(const std::filesystem::path& log, const std::filesystem::pat
                     const std::optional<std::filesystem::path>& forecast, const RunChoice& choice,
                     const std::function<void(double)>& on_progress) {
   const auto started = std::chrono::steady_clock::now();
-  const TrajectoryFile was = ingest::read_trajectories(log);
+  const TrajectoryFile was = ingest::read_tracks_apart(log);
   const std::string yaml = was.attribute("scenario");
   if (yaml.empty()) {
     throw Error(ErrorKind::invalid_input,

@@ -11,7 +11,7 @@
 #include "fields/base/text.h"
 #include "fields/geo/local_frame.h"
 #include "fields/site/site.h"
-#include "ingest/cf/forecast/forecast_file.h"
+#include "ingest/apart/read_forecast_apart.h"
 #include "twin/environment/made_up_field.h"
 
 namespace slackwater::api {
@@ -35,7 +35,7 @@ ScenarioWater made_up(const Scenario& scenario) {
 }
 
 ScenarioWater of_file(const std::filesystem::path& file) {
-  return water_of(std::make_shared<const Snapshot>(ingest::read_forecast(file)),
+  return water_of(std::make_shared<const Snapshot>(ingest::read_forecast_apart(file)),
                   sha256_of_file(file));
 }
 

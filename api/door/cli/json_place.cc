@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "fields/base/error.h"
+#include "fields/base/given_file.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
@@ -82,17 +83,7 @@ std::string document_text(const std::string& file) {
     text << std::cin.rdbuf();
     return text.str();
   }
-  std::error_code problem;
-  if (std::filesystem::is_directory(file, problem))
-    throw Error(ErrorKind::invalid_input,
-                "found the folder " + file + " where a JSON file was expected; name a file in it");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error(ErrorKind::not_found, "cannot read " + file + "; check the path");
-  const auto size = std::filesystem::file_size(file, problem);
-  if (!problem && size > largest)
-    throw Error(ErrorKind::invalid_input, file + ": longer than 256 MiB; this is none of ours");
-  text << stream.rdbuf();
-  return text.str();
+  return text_of_given_file(file, "a JSON file", largest);
 }
 
 nlohmann::json parse_document(std::string_view text, const std::string& name) {

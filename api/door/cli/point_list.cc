@@ -9,6 +9,7 @@
 
 #include "fields/base/encode/csv.h"
 #include "fields/base/error.h"
+#include "fields/base/given_file.h"
 #include "fields/base/text.h"
 
 namespace slackwater::api {
@@ -147,14 +148,8 @@ std::vector<double> listed(const std::vector<std::string_view>& parts) {
 
 PointList read_points(const std::filesystem::path& file) {
   return with_context(file.string(), [&] {
-    if (std::filesystem::is_directory(file)) {
-      throw Error(ErrorKind::invalid_input,
-                  "found a folder where a file of points was expected; name a file in it");
-    }
+    expect_given_file(file, "a file of points");
     std::ifstream in(file);
-    if (!in || !std::filesystem::is_regular_file(file)) {
-      throw Error(ErrorKind::not_found, "found no such file of points, or cannot read it");
-    }
     return points_in(in);
   });
 }

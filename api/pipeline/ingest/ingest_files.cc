@@ -4,9 +4,11 @@
 #include <array>
 #include <future>
 
+#include "data/store/staging.h"
 #include "fields/base/encode/sha256.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "ingest/apart/decode_apart.h"
 #include "ingest/copernicus/product.h"
 #include "ingest/publication.h"
 
@@ -62,13 +64,8 @@ bool is_product_file(const std::filesystem::path& file) {
   return std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
 }
 
-}  // namespace
-
-IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& products,
-                         const std::filesystem::path& file, const ingest::IngestOptions& options,
-                         UtcTime now, const ingest::Progress& progress) {
-  IngestReport report;
-  report.file = file;
+store::SourceFile source_of(const std::filesystem::path& file, const ingest::IngestOptions& options,
+                            UtcTime now) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(file, problem)) {
     throw Error(ErrorKind::not_found, "found no file " + file.string() + "; check the path");
@@ -78,25 +75,28 @@ IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& pr
   source.name = file.filename().string();
   source.bytes = std::filesystem::file_size(file);
   source.ingested_at = now;
+  return source;
+}
 
-  // Small files are hashed first: a file that is there already then costs no decoding. Large ones
-  // are hashed while they are decoded, which keeps both cores busy.
-  constexpr std::uint64_t small = 64U << 20U;
-  std::future<std::string> hash;
-  if (source.bytes <= small) {
-    source.sha256 = sha256_of_file(file);
-    if (const auto known = store.find_source(source.sha256, source.cut_key)) {
-      report.sha256 = source.sha256;
-      report.product_id = known->product_id;
-      return report;
-    }
-  } else {
-    hash = std::async(std::launch::async, [file] { return sha256_of_file(file); });
-  }
-  ingest::Ingested ingested =
-      ingest::decode_file(file, products, options, store.staging_folder(), progress);
-  if (hash.valid()) source.sha256 = hash.get();
+/// Small files are hashed first: a file that is there already then costs no decoding. Large ones
+/// are hashed while they are decoded, which keeps both cores busy.
+bool is_hashed_first(const store::SourceFile& source) { return source.bytes <= (64U << 20U); }
 
+std::optional<IngestReport> report_if_known(store::Store& store, const store::SourceFile& source,
+                                            const std::filesystem::path& file) {
+  const auto known = store.find_source(source.sha256, source.cut_key);
+  if (!known) return std::nullopt;
+  IngestReport report;
+  report.file = file;
+  report.sha256 = source.sha256;
+  report.product_id = known->product_id;
+  return report;
+}
+
+IngestReport commit(store::Store& store, store::SourceFile source, ingest::Ingested ingested,
+                    const std::filesystem::path& file) {
+  IngestReport report;
+  report.file = file;
   std::vector<store::NewGranule> granules;
   for (const ingest::DecodedGranule& decoded : ingested.granules) {
     granules.push_back(to_row(decoded));
@@ -112,7 +112,7 @@ IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& pr
   source.product_id = first.product_id;
   source.dataset_id = first.dataset_id;
   source.attribution = first.attribution;
-  source.published_at = ingest::published_by(ingested.published, now);
+  source.published_at = ingest::published_by(ingested.published, source.ingested_at);
   source.warnings = ingested.warnings;
   report.status = name_of(first.status);
   const bool was_there = store.names_source(source.sha256, source.cut_key);
@@ -123,6 +123,52 @@ IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& pr
   report.granules = granules.size();
   report.warnings = std::move(ingested.warnings);
   return report;
+}
+
+/// Between two readers, each of which is a copy of this process.
+store::Store open_for_a_while(const std::filesystem::path& folder) {
+  store::Store store = store::Store::open(folder, store::OpenMode::create_or_write);
+  store.leave_log();
+  return store;
+}
+
+}  // namespace
+
+IngestReport ingest_file(store::Store& store, const ingest::ProductCatalogue& products,
+                         const std::filesystem::path& file, const ingest::IngestOptions& options,
+                         UtcTime now, const ingest::Progress& progress) {
+  store::SourceFile source = source_of(file, options, now);
+  std::future<std::string> hash;
+  if (is_hashed_first(source)) {
+    source.sha256 = sha256_of_file(file);
+    if (auto known = report_if_known(store, source, file)) return *known;
+  } else {
+    hash = std::async(std::launch::async, [file] { return sha256_of_file(file); });
+  }
+  ingest::Ingested ingested =
+      ingest::decode_file(file, products, options, store.staging_folder(), progress);
+  if (hash.valid()) source.sha256 = hash.get();
+  return commit(store, std::move(source), std::move(ingested), file);
+}
+
+IngestReport ingest_file_apart(const std::filesystem::path& store_folder,
+                               const ingest::ProductCatalogue& products,
+                               const std::filesystem::path& file,
+                               const ingest::IngestOptions& options, UtcTime now,
+                               const ingest::Progress& progress) {
+  store::SourceFile source = source_of(file, options, now);
+  if (is_hashed_first(source)) {
+    source.sha256 = sha256_of_file(file);
+    store::Store store = open_for_a_while(store_folder);
+    if (auto known = report_if_known(store, source, file)) return *known;
+  }
+  const auto staging = store::StagingFolder::make(store_folder);
+  ingest::Ingested ingested =
+      ingest::decode_apart(file, products, options, staging.path(), progress, [&] {
+        if (source.sha256.empty()) source.sha256 = sha256_of_file(file);
+      });
+  store::Store store = open_for_a_while(store_folder);
+  return commit(store, std::move(source), std::move(ingested), file);
 }
 
 std::vector<std::filesystem::path> product_files(const std::vector<std::filesystem::path>& paths) {

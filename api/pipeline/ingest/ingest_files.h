@@ -34,6 +34,20 @@ struct IngestReport {
                                        const ingest::IngestOptions& options, UtcTime now,
                                        const ingest::Progress& progress);
 
+/// The same for a file of a stranger, which is read in a confined process of its own
+/// (ingest/apart/read_apart.h): one that crashes the library that reads it, or reads for ever, or
+/// wants all memory, is one Error(invalid_input) that names it. SQLite's log is left for the caller
+/// to bring in: open and close the store once all files are read.
+///
+/// No connection to any store may be open here, and no thread alive, when this is called.
+///
+/// @throws what `ingest_file` throws; Error(unavailable) where the reader was ended from outside
+[[nodiscard]] IngestReport ingest_file_apart(const std::filesystem::path& store_folder,
+                                             const ingest::ProductCatalogue& products,
+                                             const std::filesystem::path& file,
+                                             const ingest::IngestOptions& options, UtcTime now,
+                                             const ingest::Progress& progress);
+
 /// The files that a command line names: a folder stands for every .nc, .grib, .grib2, .grb, .grb2
 /// and .nc4 file below it, sorted. Throws Error(not_found) for a path that is not there, or a
 /// folder without such files.

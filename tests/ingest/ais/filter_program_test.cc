@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "fields/base/error.h"
+#include "fields/base/process/confinement.h"
+#include "tests/support/contains.h"
 
 namespace slackwater::tests::filter_program_test {
 namespace {
@@ -155,6 +157,36 @@ TEST_F(FilterProgramTest, AnExceptionOfOursEndsTheProgram) {
                    [](std::string&) -> bool { throw std::runtime_error("no input"); },
                    [](std::string_view) {}),
                std::runtime_error);
+}
+
+/// What `cat` of a file gives, after the lines of its input.
+std::string last_line_of(const std::string& file, bool is_confined) {
+  Trial run;
+  FilterProgram program{{"cat", "-", file}, "", 20s};
+  program.is_confined = is_confined;
+  run(program);
+  return run.lines_out > run.lines_in ? run.last : run.message;
+}
+
+TEST_F(FilterProgramTest, AConfinedProgramHasItsInputAlone) {
+  Trial run;
+  run.lines_in = 300'000;
+  FilterProgram program{{"cat"}, "", 20s};
+  program.is_confined = true;
+  run(program);
+  EXPECT_EQ(run.message, "");
+  EXPECT_EQ(run.lines_out, 300'000U);
+  EXPECT_NE(last_line_of("/etc/hostname", false), "");
+  if (!confinement_of_system().files) GTEST_SKIP() << "this kernel has no Landlock";
+  EXPECT_TRUE(contains(last_line_of("/etc/hostname", true), "failed with exit code 1"));
+}
+
+TEST_F(FilterProgramTest, AMissingProgramIsNamedWhereItWouldBeConfinedToo) {
+  Trial run;
+  FilterProgram program{{"no-such-program-anywhere"}, "apt install it"};
+  program.is_confined = true;
+  run(program);
+  EXPECT_TRUE(run.says("found no program no-such-program-anywhere")) << run.message;
 }
 
 }  // namespace

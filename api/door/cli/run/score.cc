@@ -10,6 +10,7 @@
 #include "api/show/rehearse/account_json.h"
 #include "api/show/rehearse/detections_report.h"
 #include "fields/base/text.h"
+#include "ingest/apart/read_tracks_apart.h"
 
 namespace slackwater::api {
 namespace {
@@ -77,6 +78,7 @@ json pooled_json(const std::vector<Scorecard>& cards) {
 
 std::vector<PersonOverRuns> people_of(const std::vector<Scorecard>& cards) {
   std::vector<PeopleScore> runs;
+  runs.reserve(cards.size());
   for (const Scorecard& card : cards) runs.push_back(card.people);
   return people_over_runs(runs);
 }
@@ -150,9 +152,10 @@ void print_cards(const std::vector<Scorecard>& cards) {
 
 void run_score(const std::vector<std::filesystem::path>& logs, const Context& context) {
   std::vector<Scorecard> cards;
+  cards.reserve(logs.size());
   for (const std::filesystem::path& log : logs)
     cards.push_back(
-        with_context(log.string(), [&] { return scorecard_of(ingest::read_trajectories(log)); }));
+        with_context(log.string(), [&] { return scorecard_of(ingest::read_tracks_apart(log)); }));
   if (!context.json) {
     print_cards(cards);
     print_people(cards);

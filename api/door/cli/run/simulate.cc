@@ -18,6 +18,7 @@
 #include "api/show/rehearse/run_page.h"
 #include "fields/base/text.h"
 #include "fields/base/whole_file.h"
+#include "ingest/apart/read_tracks_apart.h"
 
 namespace slackwater::api {
 namespace {
@@ -141,7 +142,7 @@ void run_simulate(const SimulateArguments& arguments, const Context& context) {
   }
   const json seen = see_by_sensors(sensors, seen_log, context);
   write_page_and_csv(
-      arguments.see.by.empty() ? result.file : ingest::read_trajectories(arguments.out), arguments);
+      arguments.see.by.empty() ? result.file : ingest::read_tracks_apart(arguments.out), arguments);
   if (!context.json) return;
   json out = run_json(result, scenario.name, water, arguments.out);
   if (!sensors.empty()) out["seen"] = seen;
@@ -175,13 +176,13 @@ void run_replay(const ReplayArguments& arguments, const Context& context) {
   expect_output("--csv", arguments.csv, {".csv"});
   expect_output("--findings", arguments.findings, {".geojson", ".csv"});
   if (!arguments.findings.empty())
-    write_findings(ingest::read_trajectories(arguments.log), arguments.findings,
+    write_findings(ingest::read_tracks_apart(arguments.log), arguments.findings,
                    arguments.shows_truth);
   if (!arguments.csv.empty())
-    write_log_csv(ingest::read_trajectories(arguments.log), arguments.csv);
+    write_log_csv(ingest::read_tracks_apart(arguments.log), arguments.csv);
   if (!arguments.html.empty()) {
     write_beside(arguments.html, [&](const std::filesystem::path& partial) {
-      write_run_page(ingest::read_trajectories(arguments.log), partial,
+      write_run_page(ingest::read_tracks_apart(arguments.log), partial,
                      {.shows_truth = arguments.shows_truth});
     });
   }

@@ -8,6 +8,8 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "fields/base/whole_file.h"
+#include "ingest/apart/read_tracks_apart.h"
 
 namespace slackwater::api {
 namespace {
@@ -38,7 +40,7 @@ std::vector<Detection> LookedAt::add(const RenderView& view) {
 }
 
 void LookedAt::record_in(const std::filesystem::path& log) const {
-  ingest::TrajectoryFile file = ingest::read_trajectories(log);
+  ingest::TrajectoryFile file = ingest::read_tracks_apart(log);
   const auto ours = std::find(file.names.begin(), file.names.end(), who_.vehicle);
   expects(ours != file.names.end(), "the log that the pictures are of");
   const auto vehicle = static_cast<std::size_t>(ours - file.names.begin());

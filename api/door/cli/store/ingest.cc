@@ -4,7 +4,7 @@
 
 #include "api/door/cli/command.h"
 #include "api/door/cli/progress.h"
-#include "api/pipeline/ingest/ingest_apart.h"
+#include "api/pipeline/ingest/ingest_files.h"
 #include "api/program/paths.h"
 #include "fields/base/text.h"
 #include "fields/site/site.h"
@@ -121,8 +121,8 @@ void ingest_all(const IngestArguments& arguments, const Context& context) {
       ingest::ProductCatalogue::load(data_folder() / "products", own_product_folders());
   if (!arguments.product.empty())
     options.product = std::make_shared<const ingest::Product>(products.describe(arguments.product));
-  // Made, or refused, before any file is read; closed again, because each reader is a process of
-  // its own with a connection of its own.
+  // Made, or refused, before any file is read; closed again, because each reader is a copy of this
+  // process.
   static_cast<void>(context.open(store::OpenMode::create_or_write));
   const LogBroughtIn when_all_is_read(context);
   json done = json::array();

@@ -3,6 +3,7 @@
 #include "api/ask/run/logged_water.h"
 #include "api/log/command_tables.h"
 #include "fields/base/error.h"
+#include "ingest/apart/read_tracks_apart.h"
 
 namespace slackwater::people {
 namespace {
@@ -81,7 +82,7 @@ std::optional<FarmNow> LoggedSurround::farm(const Surroundings& around) const {
 FoundSurround find_surround(const std::filesystem::path& log,
                             const std::filesystem::path& store_folder,
                             const std::optional<std::filesystem::path>& forecast) {
-  const TrajectoryFile tracks = ingest::read_trajectories(log);
+  const TrajectoryFile tracks = ingest::read_tracks_apart(log);
   try {
     return {std::make_unique<LoggedSurround>(tracks, log, store_folder, forecast), {}};
   } catch (const Error& problem) {

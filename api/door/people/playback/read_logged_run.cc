@@ -11,6 +11,7 @@
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "ingest/apart/read_tracks_apart.h"
 #include "twin/agent/conduct.h"
 #include "twin/body/attitude.h"
 #include "twin/run/set_up.h"
@@ -270,7 +271,7 @@ void add_vehicles(const TrajectoryFile& log, const std::optional<twin::Scenario>
 
 LoggedRun read_logged_run(const std::filesystem::path& path,
                           const std::filesystem::path& data_folder) {
-  const TrajectoryFile log = ingest::read_trajectories(path);
+  const TrajectoryFile log = ingest::read_tracks_apart(path);
   return with_context(path.string(), [&] {
     expect_times(log);
     LoggedRun run;

@@ -98,7 +98,7 @@ test('a controller is read by the standard mapping: trigger, grip, stick, lower 
   assert.ok(it.is_tracked && it.kind === 'controller');
 });
 
-test('a controller that nobody knows where it is is not tracked, and what is no hand is none', () => {
+test('a controller of no known place is not tracked, and what is no hand is none', () => {
   const reader = new HandReader();
   const [lost] = reader.read(frame_of(source({ gripSpace: null })), SPACE);
   assert.equal(lost!.is_tracked, false);

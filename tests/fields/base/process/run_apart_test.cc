@@ -1,5 +1,5 @@
 // Work that may die, in a process of its own: whatever it does to itself, we live and are told.
-#include "api/pipeline/ingest/run_apart.h"
+#include "fields/base/process/run_apart.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -16,7 +16,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace slackwater::api::run_apart_test {
+namespace slackwater::tests::run_apart_test {
 namespace {
 
 using std::chrono::seconds;
@@ -111,14 +111,18 @@ bool is_dead(pid_t process) {
 
 TEST(RunApart, TheChildGoesWithItsParent) {
   for (const int signal : {SIGINT, SIGKILL}) {
-    const tests::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const pid_t parent = ::fork();
     if (parent == 0) {
-      static_cast<void>(run([&](const TellShare&) {
-        std::ofstream(folder / "child") << ::getpid() << std::endl;
-        ::sleep(60);
-        return std::string();
-      }));
+      Allowance allowance;
+      allowance.reach.writable = {folder.path()};
+      static_cast<void>(run(
+          [&](const TellShare&) {
+            std::ofstream(folder / "child") << ::getpid() << std::endl;
+            ::sleep(60);
+            return std::string();
+          },
+          allowance));
       ::_exit(0);
     }
     pid_t child = 0;
@@ -136,10 +140,20 @@ TEST(RunApart, TheChildGoesWithItsParent) {
   }
 }
 
-TEST(RunApart, MemoryBeyondTheAllowanceIsRefusedInTheChildAlone) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "a sanitizer's shadow knows no bound";
-#endif
+TEST(RunApart, WhatWaitsForEverIsEndedByTheClock) {
+  Allowance allowance;
+  allowance.processor = seconds(0);
+  const Apart apart = run(
+      [](const TellShare&) {
+        ::sleep(600);
+        return std::string();
+      },
+      allowance);
+  EXPECT_EQ(apart.end, Apart::End::out_of_time);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(RunApart, AddressesBeyondTheAllowanceAreRefusedInTheChildAlone) {
   Allowance allowance;
   allowance.memory_bytes = std::uint64_t{2} << 30U;
   const Apart apart = run(
@@ -157,6 +171,68 @@ TEST(RunApart, MemoryBeyondTheAllowanceIsRefusedInTheChildAlone) {
   ASSERT_EQ(::getrlimit(RLIMIT_AS, &ours), 0);
   EXPECT_GT(ours.rlim_cur, allowance.memory_bytes);
 }
+#endif
+
+/// Takes memory bit by bit, and uses it.
+std::string take_memory(const TellShare&) {
+  std::vector<std::vector<char>> all;
+  for (std::size_t i = 0; i < 700; ++i) {
+    all.emplace_back(std::size_t{1} << 20U, 'x');
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return std::to_string(all.size());
+}
+
+TEST(RunApart, WhoeverUsesMoreMemoryThanItMayIsEnded) {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "bounded by its addresses already";
+#endif
+  Allowance allowance;
+  allowance.memory_bytes = std::uint64_t{512} << 20U;
+  EXPECT_EQ(run(take_memory, allowance).end, Apart::End::out_of_memory);
+  allowance.memory_bytes = std::uint64_t{8} << 30U;
+  EXPECT_EQ(run(take_memory, allowance).answer, "700");
+}
+
+TEST(RunApart, WhoeverWritesMoreToAFileThanItMayIsEnded) {
+  const TemporaryFolder folder;
+  Allowance allowance;
+  allowance.file_bytes = 1 << 20U;
+  allowance.reach.writable = {folder.path()};
+  const auto write = [&](std::size_t bytes) {
+    return run(
+        [&](const TellShare&) {
+          std::ofstream file(folder / "file");
+          file << std::string(bytes, 'x');
+          file.close();
+          return std::string(file ? "written" : "refused");
+        },
+        allowance);
+  };
+  EXPECT_EQ(write(1 << 20U).answer, "written");
+  EXPECT_EQ(write((1 << 20U) + 1).end, Apart::End::wrote_too_much);
+}
+
+TEST(RunApart, WhatIsDoneMeanwhileIsDoneHere) {
+  int count = 1;
+  const Apart apart = run_apart(
+      {}, [&](const TellShare&) { return std::to_string(count); }, {}, [&] { ++count; });
+  EXPECT_EQ(apart.answer, "1");
+  EXPECT_EQ(count, 2);
+}
+
+// And leaves no process behind.
+TEST(RunApart, WhatGoesWrongMeanwhileIsThrownHere) {
+  EXPECT_THROW(static_cast<void>(run_apart(
+                   {},
+                   [](const TellShare&) {
+                     ::sleep(600);
+                     return std::string();
+                   },
+                   {}, [] { throw std::runtime_error("no"); })),
+               std::runtime_error);
+  EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1) << "a child is left";
+}
 
 }  // namespace
-}  // namespace slackwater::api::run_apart_test
+}  // namespace slackwater::tests::run_apart_test

@@ -1,7 +1,11 @@
-#include "api/pipeline/ingest/run_apart.h"
+#include "fields/base/process/run_apart.h"
 
+#include <fcntl.h>
+#include <linux/close_range.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,15 +16,18 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string_view>
 
-#include "api/program/pipe.h"
 #include "fields/base/error.h"
+#include "fields/base/process/pipe.h"
 
 // The pipe carries frames: a letter, the length in eight bytes, the bytes. 's' is a share, 'a' the
 // answer, which comes last.
 
-namespace slackwater::api {
+namespace slackwater {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -58,15 +65,28 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t soft, rlim_t hard) {
   ::setrlimit(what, &now);
 }
 
+/// No file, lock or connection of the parent can be reached: only the pipe is left.
+void close_all_but(int descriptor) {
+  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
+  const auto kept = static_cast<unsigned>(descriptor);
+  if (kept > 3) ::syscall(SYS_close_range, 3U, kept - 1, 0U);
+  ::syscall(SYS_close_range, kept + 1, ~0U, 0U);
+}
+
 /// In the child, before the work.
-void bind_child(pid_t parent, const Allowance& allowance) {
+void bind_child(pid_t parent, int descriptor, const Allowance& allowance) {
   // Ends with its parent, also where only that one is killed.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);
   const auto seconds = static_cast<rlim_t>(allowance.processor.count());
   limit(RLIMIT_CPU, seconds, seconds + 5);
   limit(RLIMIT_CORE, 0, 0);
+  limit(RLIMIT_FSIZE, allowance.file_bytes, allowance.file_bytes);
   if (!is_sanitized) limit(RLIMIT_AS, allowance.memory_bytes, allowance.memory_bytes);
+  close_all_but(descriptor);
+  const Confinement confinement(allowance.reach);
+  if (!confinement.apply()) ::_exit(1);
 }
 
 [[noreturn]] void run_child(int descriptor,
@@ -89,16 +109,14 @@ void bind_child(pid_t parent, const Allowance& allowance) {
   ::_exit(is_told ? 0 : 1);
 }
 
-/// Reads frames to the end of the pipe. @return whether the answer came
-bool receive(int descriptor, std::string& answer, const std::function<void(double)>& on_share) {
-  bool is_answered = false;
+/// What the child told so far.
+struct Told {
   std::string bytes;
-  std::array<char, 65536> buffer{};
-  while (true) {
-    const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return is_answered;
-    bytes.append(buffer.data(), static_cast<std::size_t>(count));
+  std::string answer;
+  bool is_answered = false;
+
+  void take(std::string_view more, const std::function<void(double)>& on_share) {
+    bytes += more;
     std::size_t at = 0;
     while (bytes.size() - at >= head_bytes) {
       std::uint64_t size = 0;
@@ -115,6 +133,64 @@ bool receive(int descriptor, std::string& answer, const std::function<void(doubl
     }
     bytes.erase(0, at);
   }
+};
+
+/// A process of ours: ended and waited for, also where an exception passes by.
+class Child {
+ public:
+  explicit Child(pid_t process) noexcept : process_(process) {}
+  ~Child() {
+    if (process_ <= 0) return;
+    end();
+    wait();
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  void end() const noexcept { ::kill(process_, SIGKILL); }
+  /// @return its status, as waitpid has it
+  int wait() noexcept {
+    int status = 0;
+    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    }
+    process_ = -1;
+    return status;
+  }
+  [[nodiscard]] pid_t process() const noexcept { return process_; }
+
+ private:
+  pid_t process_;
+};
+
+/// Of another process; 0: it is over.
+std::uint64_t bytes_in_use(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/statm");
+  std::uint64_t all = 0, resident = 0;
+  file >> all >> resident;
+  return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Listens to the child until it has ended, or ends it. @return why it was ended, where it was
+Apart::End listen(const Child& child, int descriptor, const Allowance& allowance, Told& told,
+                  const std::function<void(double)>& on_share) {
+  using Clock = std::chrono::steady_clock;
+  const auto latest = Clock::now() + 10 * allowance.processor;
+  constexpr int look_every_ms = 50;
+  std::array<char, 65536> buffer{};
+  while (true) {
+    pollfd wanted{descriptor, POLLIN, 0};
+    if (::poll(&wanted, 1, look_every_ms) > 0) {
+      const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return Apart::End::answered;
+      told.take({buffer.data(), static_cast<std::size_t>(count)}, on_share);
+      if (told.bytes.size() <= allowance.memory_bytes) continue;
+    }
+    const bool is_too_large = bytes_in_use(child.process()) > allowance.memory_bytes ||
+                              told.bytes.size() > allowance.memory_bytes;
+    if (!is_too_large && Clock::now() < latest) continue;
+    child.end();
+    return is_too_large ? Apart::End::out_of_memory : Apart::End::out_of_time;
+  }
 }
 
 bool is_of_a_fault(int signal) {
@@ -126,37 +202,45 @@ bool is_of_a_fault(int signal) {
 Apart::End end_of(int status) {
   if (!WIFSIGNALED(status)) return Apart::End::crashed;
   if (WTERMSIG(status) == SIGXCPU) return Apart::End::out_of_time;
+  if (WTERMSIG(status) == SIGXFSZ) return Apart::End::wrote_too_much;
   return is_of_a_fault(WTERMSIG(status)) ? Apart::End::crashed : Apart::End::killed;
 }
 
 }  // namespace
 
+bool is_alone() {
+  const std::filesystem::directory_iterator threads("/proc/self/task");
+  return std::distance(begin(threads), end(threads)) <= 1;
+}
+
 Apart run_apart(const Allowance& allowance,
                 const std::function<std::string(const TellShare&)>& work,
-                const std::function<void(double)>& on_share) {
+                const std::function<void(double)>& on_share,
+                const std::function<void()>& meanwhile) {
   Pipe pipe;
   const pid_t parent = ::getpid();
   std::fflush(stdout);  // what waits in the buffers would be printed twice
   std::fflush(stderr);
-  const pid_t child = ::fork();
-  if (child < 0) {
+  Child child(::fork());
+  if (child.process() < 0) {
     throw Error(ErrorKind::unavailable, std::string("cannot start another process: ") +
                                             std::strerror(errno) + "; try again");
   }
-  if (child == 0) {
+  if (child.process() == 0) {
     pipe.close_reading();
-    bind_child(parent, allowance);
+    bind_child(parent, pipe.writing(), allowance);
     run_child(pipe.writing(), work);
   }
   pipe.close_writing();
+  if (meanwhile) meanwhile();
   Apart apart;
-  const bool is_answered = receive(pipe.reading(), apart.answer, on_share);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  Told told;
+  apart.end = listen(child, pipe.reading(), allowance, told, on_share);
+  const int status = child.wait();
   if (WIFSIGNALED(status)) apart.signal = WTERMSIG(status);
-  if (!is_answered) apart.end = end_of(status);
+  if (apart.end == Apart::End::answered && !told.is_answered) apart.end = end_of(status);
+  if (apart.end == Apart::End::answered) apart.answer = std::move(told.answer);
   return apart;
 }
 
-}  // namespace slackwater::api
+}  // namespace slackwater

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-namespace slackwater::api {
+namespace slackwater {
 
 /// A pipe between this process and another. Its ends are closed with it, and not handed on to
 /// programs that are started.
@@ -24,4 +24,4 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-}  // namespace slackwater::api
+}  // namespace slackwater

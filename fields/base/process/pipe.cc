@@ -1,4 +1,4 @@
-#include "api/program/pipe.h"
+#include "fields/base/process/pipe.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 
 #include "fields/base/error.h"
 
-namespace slackwater::api {
+namespace slackwater {
 
 Pipe::Pipe() {
   if (::pipe2(ends_.data(), O_CLOEXEC) != 0)
@@ -27,4 +27,4 @@ void Pipe::close(std::size_t end) noexcept {
   ends_.at(end) = -1;
 }
 
-}  // namespace slackwater::api
+}  // namespace slackwater
