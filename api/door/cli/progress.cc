@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "api/door/cli/plain_output.h"
+
 namespace slackwater::api {
 
 ProgressBar::ProgressBar(std::string title, bool quiet)
@@ -13,7 +15,7 @@ ProgressBar::ProgressBar(std::string title, bool quiet)
       start_(std::chrono::steady_clock::now()) {}
 
 ProgressBar::~ProgressBar() {
-  if (drawn_) std::fprintf(stderr, "\r\033[K");
+  if (drawn_) std::fprintf(bare_stderr(), "\r\033[K");
 }
 
 void ProgressBar::update(double share) {
@@ -27,9 +29,9 @@ void ProgressBar::update(double share) {
   constexpr int width = 30;
   const int full = percent * width / 100;
   const double left = share > 0.01 ? elapsed * (1 - share) / share : 0;
-  std::fprintf(stderr, "\r\033[K%s [%.*s%*s] %3d %%  %.0f s left", title_.c_str(), full,
+  std::fprintf(bare_stderr(), "\r\033[K%s [%.*s%*s] %3d %%  %.0f s left", title_.c_str(), full,
                "##############################", width - full, "", percent, left);
-  std::fflush(stderr);
+  std::fflush(bare_stderr());
 }
 
 }  // namespace slackwater::api
