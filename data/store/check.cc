@@ -6,9 +6,13 @@
 #include "data/store/content_files.h"
 #include "data/store/content_scan.h"
 #include "data/store/database.h"
+#include "data/store/decision_table.h"
+#include "data/store/forecast_table.h"
+#include "data/store/granule_table.h"
 #include "data/store/layout.h"
 #include "data/store/migrations.h"
 #include "data/store/open_catalogue.h"
+#include "data/store/session_table.h"
 #include "data/store/staging.h"
 #include "fields/base/error.h"
 
@@ -35,7 +39,19 @@ std::size_t count(Database& database, std::string_view table) {
   return static_cast<std::size_t>(query.integer(0));
 }
 
+/// Reads a list as every command reads it.
+template <typename Read>
+void check_rows(CheckReport& report, const Read& read) {
+  try {
+    static_cast<void>(read());
+  } catch (const Error& error) {
+    harm(report, error.message(), advice_for_catalogue);
+  }
+}
+
 void check_catalogue(Database& database, CheckReport& report) {
+  for (const std::string& fault : schema_faults(database))
+    harm(report, "catalogue.sqlite: " + fault, advice_for_catalogue);
   Statement integrity = database.prepare("PRAGMA integrity_check(20)");
   while (integrity.step()) {
     if (const std::string said = integrity.text(0); said != "ok") {
@@ -49,6 +65,16 @@ void check_catalogue(Database& database, CheckReport& report) {
              " names a row of table " + keys.text(2) + " that is not there",
          advice_for_catalogue);
   }
+  check_rows(report, [&] { return read_sources(database); });
+  check_rows(report, [&] { return select_granules(database, {}); });
+  check_rows(report, [&] { return select_forecasts(database, {}); });
+  check_rows(report, [&] { return select_decisions(database, {}); });
+  check_rows(report, [&] {
+    std::size_t actions = 0;
+    for (const SessionRow& session : select_sessions(database))
+      actions += select_actions(database, session.id).size();
+    return actions;
+  });
   report.sources = count(database, "source");
   report.granules = count(database, "granule");
   report.forecasts = count(database, "forecast");

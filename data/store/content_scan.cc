@@ -11,7 +11,7 @@ std::map<std::string, std::uint64_t> named_contents(Database& database) {
   Statement query = database.prepare(
       "SELECT content_sha256, content_bytes FROM granule UNION "
       "SELECT content_sha256, content_bytes FROM forecast");
-  while (query.step()) contents[query.text(0)] = static_cast<std::uint64_t>(query.integer(1));
+  while (query.step()) contents[query.checksum(0)] = static_cast<std::uint64_t>(query.integer(1));
   return contents;
 }
 

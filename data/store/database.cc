@@ -6,7 +6,9 @@
 #include <cstring>
 
 #include "fields/base/check.h"
+#include "fields/base/encode/utf8.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 
 namespace slackwater::store {
 namespace {
@@ -58,6 +60,11 @@ Error error_of(int code, const std::filesystem::path& file, const DatabaseWords&
                      words.when_failing);
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
+    // A table or column that is gone, a value that its own rules forbid.
+    case SQLITE_ERROR:
+    case SQLITE_CONSTRAINT:
+    case SQLITE_MISMATCH:
+    case SQLITE_TOOBIG:
       return advised(ErrorKind::invalid_input, "is damaged: " + cause, words.when_damaged);
     case SQLITE_INTERRUPT:
       return advised(ErrorKind::invalid_input,
@@ -151,9 +158,26 @@ double Statement::real(int column) const { return sqlite3_column_double(statemen
 std::string Statement::text(int column) const {
   const unsigned char* text = sqlite3_column_text(statement_.get(), column);
   const int bytes = sqlite3_column_bytes(statement_.get(), column);
-  return text == nullptr
-             ? std::string()
-             : std::string(reinterpret_cast<const char*>(text), static_cast<std::size_t>(bytes));
+  if (text == nullptr) return {};
+  return as_utf8({reinterpret_cast<const char*>(text), static_cast<std::size_t>(bytes)});
+}
+std::string Statement::name(int column) const {
+  std::string found = text(column);
+  if (found.size() > longest_name_bytes)
+    refuse(column, std::to_string(found.size()) + " bytes", "a name has at most 4096");
+  return found;
+}
+std::string Statement::checksum(int column) const {
+  std::string found = text(column);
+  const bool is_one =
+      found.size() == 64 && found.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!is_one) refuse(column, "'" + found.substr(0, 80) + "'", "expected a checksum (SHA-256)");
+  return found;
+}
+void Statement::refuse(int column, std::string_view found, std::string_view expected) const {
+  const char* const name = sqlite3_column_name(statement_.get(), column);
+  database_->refuse(
+      formatted("the column {} holds {}: {}", name == nullptr ? "" : name, found, expected));
 }
 std::span<const std::uint8_t> Statement::bytes(int column) const {
   const void* data = sqlite3_column_blob(statement_.get(), column);
@@ -211,6 +235,10 @@ Database Database::open_copy(const std::filesystem::path& file, std::string_view
   return database;
 }
 
+Database Database::in_memory() {
+  return {":memory:", open_connection(":memory:", SQLITE_OPEN_READWRITE, nullptr, {}), {}};
+}
+
 void Database::bound_work(std::uint64_t operations) {
   if (!work_left_) work_left_ = std::make_unique<std::uint64_t>();
   *work_left_ = operations;
@@ -242,6 +270,10 @@ std::int64_t Database::last_inserted_id() const {
 void Database::fail(int code) const {
   throw error_of(code, file_, words_, sqlite3_errmsg(connection_.get()),
                  sqlite3_system_errno(connection_.get()));
+}
+
+void Database::refuse(const std::string& found) const {
+  throw error_of(SQLITE_CORRUPT, file_, words_, found, 0);
 }
 
 Transaction::Transaction(Database& database, Kind kind) : database_(&database) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -7,12 +8,16 @@
 #include <string>
 #include <string_view>
 
+#include "fields/base/error.h"
 #include "fields/base/time.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace slackwater::store {
+
+/// Of names that a catalogue holds: what lists, links and headers have in them.
+inline constexpr std::size_t longest_name_bytes = 4096;
 
 /// How errors speak of a database, and what they advise. The texts are literals.
 struct DatabaseWords {
@@ -58,7 +63,22 @@ class Statement {
   [[nodiscard]] bool is_null(int column) const;
   [[nodiscard]] std::int64_t integer(int column) const;
   [[nodiscard]] double real(int column) const;
+  /// Each byte that is no UTF-8 is U+FFFD.
   [[nodiscard]] std::string text(int column) const;
+  /// A text of at most `longest_name_bytes`.
+  [[nodiscard]] std::string name(int column) const;
+  /// A SHA-256, as the names of content files have it: 64 hexadecimal digits in lower case.
+  [[nodiscard]] std::string checksum(int column) const;
+  /// A name that `parse` makes something of, and that is damaged where it throws an Error.
+  template <typename Parse>
+  [[nodiscard]] auto parsed(int column, const Parse& parse) const {
+    const std::string found = name(column);
+    try {
+      return parse(found);
+    } catch (const Error& problem) {
+      refuse(column, "'" + found.substr(0, 80) + "'", problem.message());
+    }
+  }
   [[nodiscard]] UtcTime time(int column) const;
   /// Good until the next step.
   [[nodiscard]] std::span<const std::uint8_t> bytes(int column) const;
@@ -74,6 +94,8 @@ class Statement {
   Statement(class Database& database, sqlite3_stmt* statement)
       : database_(&database), statement_(statement) {}
   void check(int code) const;
+  /// The value of a column is not what this program writes.
+  [[noreturn]] void refuse(int column, std::string_view found, std::string_view expected) const;
 
   class Database* database_;
   std::unique_ptr<sqlite3_stmt, Finalise> statement_;
@@ -96,6 +118,9 @@ class Database {
                                           std::string_view bytes);
 
   [[nodiscard]] Statement prepare(std::string_view sql);
+  /// One in memory, empty.
+  [[nodiscard]] static Database in_memory();
+
   /// Runs one or several statements that return nothing of interest.
   void execute(const std::string& sql);
   [[nodiscard]] std::int64_t last_inserted_id() const;
@@ -108,6 +133,8 @@ class Database {
   [[nodiscard]] const std::filesystem::path& file() const noexcept { return file_; }
   /// Throws the `Error` that belongs to a result code of SQLite.
   [[noreturn]] void fail(int code) const;
+  /// Its bytes can be read, and say what this program does not write. @throws Error(invalid_input)
+  [[noreturn]] void refuse(const std::string& found) const;
 
  private:
   friend class Transaction;

@@ -14,13 +14,12 @@ DecisionRow decision_from(const Statement& row) {
   DecisionRow decision;
   int column = 0;
   decision.id = row.integer(column++);
-  decision.site_id = row.text(column++);
-  decision.task = row.text(column++);
-  decision.turbine = row.text(column++);
+  decision.site_id = row.name(column++);
+  decision.task = row.name(column++);
+  decision.turbine = row.name(column++);
   decision.start = row.time(column++);
   if (const auto work_ms = row.optional_integer(column++)) decision.work = Duration(*work_ms);
-  with_context("decision " + std::to_string(decision.id) + " of the catalogue",
-               [&] { decision.decided = decided_from(row.text(column++)); });
+  decision.decided = row.parsed(column++, decided_from);
   decision.by = row.text(column++);
   decision.recorded_at = row.time(column++);
   decision.by_clock = row.integer(column++) != 0;
@@ -30,7 +29,7 @@ DecisionRow decision_from(const Statement& row) {
   decision.unsaid = row.text(column++);
   decision.note = row.text(column++);
   decision.hand_over = row.text(column++);
-  decision.forecast_sha256 = row.text(column++);
+  decision.forecast_sha256 = row.checksum(column++);
   decision.forecast_issued = row.time(column++);
   return decision;
 }

@@ -16,20 +16,18 @@ ForecastRow forecast_from(const Statement& row) {
   ForecastRow forecast;
   int column = 0;
   forecast.id = row.integer(column++);
-  forecast.site_id = row.text(column++);
-  forecast.day = parse_day(row.text(column++));
+  forecast.site_id = row.name(column++);
+  forecast.day = row.parsed(column++, parse_day);
   forecast.issued = row.time(column++);
   forecast.valid_from = row.time(column++);
   forecast.valid_to = row.time(column++);
-  with_context("forecast " + std::to_string(forecast.id) + " of the catalogue", [&] {
-    forecast.wind_policy = wind_policy_from(row.text(column++));
-    forecast.origin = forecast_origin_from(row.text(column++));
-  });
+  forecast.wind_policy = row.parsed(column++, wind_policy_from);
+  forecast.origin = row.parsed(column++, forecast_origin_from);
   forecast.degraded = row.integer(column++) != 0;
   forecast.headline = row.text(column++);
-  forecast.content_sha256 = row.text(column++);
+  forecast.content_sha256 = row.checksum(column++);
   forecast.summary_json = row.text(column++);
-  forecast.code_version = row.text(column++);
+  forecast.code_version = row.name(column++);
   return forecast;
 }
 

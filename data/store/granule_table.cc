@@ -27,8 +27,7 @@ VerticalKind vertical_from(const std::string& name) {
 
 DataStatus status_from(const std::string& name) {
   if (const auto status = data_status_from(name)) return *status;
-  throw Error(ErrorKind::invalid_input, "the catalogue holds the unknown granule status '" + name +
-                                            "'; run `slackwater store check`");
+  throw Error(ErrorKind::invalid_input, "no status of a granule");
 }
 
 constexpr std::string_view granule_columns =
@@ -45,13 +44,13 @@ GranuleRow granule_from(const Statement& row) {
   GranuleRow granule;
   int column = 0;
   granule.id = row.integer(column++);
-  granule.source_sha256 = row.text(column++);
+  granule.source_sha256 = row.checksum(column++);
   granule.cut_key = row.text(column++);
-  granule.content_sha256 = row.text(column++);
+  granule.content_sha256 = row.checksum(column++);
   granule.contains_stokes = row.integer(column++) != 0;
   granule.is_point_series = row.integer(column++) != 0;
-  granule.station = row.text(column++);
-  granule.status = status_from(row.text(column++));
+  granule.station = row.name(column++);
+  granule.status = row.parsed(column++, status_from);
   granule.reference_time = row.optional_time(column++);
   if (const auto member = row.optional_integer(column++)) {
     granule.ensemble_member = static_cast<int>(*member);
@@ -66,8 +65,8 @@ GranuleRow granule_from(const Statement& row) {
   granule.vertical = vertical_from(row.text(column++));
   granule.lowest_level_m = row.optional_real(column++);
   granule.highest_level_m = row.optional_real(column++);
-  granule.product_id = row.text(column++);
-  granule.dataset_id = row.text(column++);
+  granule.product_id = row.name(column++);
+  granule.dataset_id = row.name(column++);
   granule.attribution = row.text(column++);
   granule.ingested_at = row.time(column++);
   granule.published_at = row.optional_time(column++);
@@ -95,6 +94,13 @@ void insert_granule(Database& database, std::int64_t source, const GranuleRow& r
                     const SealedFile& content) {
   expects(row.first_time.has_value() == row.last_time.has_value(),
           "a granule has both ends of its time or, static, neither");
+  for (const std::string& name : {row.station, row.product_id, row.dataset_id})
+    if (name.size() > longest_name_bytes)
+      throw Error(
+          ErrorKind::invalid_input,
+          formatted("found a name of {} bytes in the file, expected at most {}; the file is "
+                    "damaged, fetch it again",
+                    name.size(), longest_name_bytes));
   Statement insert = database.prepare(
       "INSERT INTO granule (source_id, content_sha256, content_bytes, contains_stokes, "
       "is_point_series, station, "
@@ -138,12 +144,12 @@ SourceFile read_source(Database& database, std::int64_t id) {
   query.bind(1, id);
   expects(query.step(), "a source is read by an id just found");
   SourceFile source;
-  source.sha256 = query.text(0);
+  source.sha256 = query.checksum(0);
   source.cut_key = query.text(1);
   source.name = query.text(2);
   source.bytes = static_cast<std::uint64_t>(query.integer(3));
-  source.product_id = query.text(4);
-  source.dataset_id = query.text(5);
+  source.product_id = query.name(4);
+  source.dataset_id = query.name(5);
   source.attribution = query.text(6);
   source.ingested_at = query.time(7);
   source.published_at = query.optional_time(8);
@@ -167,7 +173,7 @@ std::vector<NamedContent> contents_of_source(Database& database, std::int64_t so
       "SELECT content_sha256, content_bytes FROM granule WHERE source_id = ? ORDER BY id");
   query.bind(1, source);
   while (query.step()) {
-    contents.push_back({query.text(0), static_cast<std::uint64_t>(query.integer(1))});
+    contents.push_back({query.checksum(0), static_cast<std::uint64_t>(query.integer(1))});
   }
   return contents;
 }

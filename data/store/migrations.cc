@@ -1,6 +1,7 @@
 #include "data/store/migrations.h"
 
 #include <charconv>
+#include <map>
 #include <string>
 
 #include "data/store/database.h"
@@ -16,6 +17,17 @@ int number_of(const EmbeddedSql& migration) {
       std::from_chars(migration.name.data(), migration.name.data() + migration.name.size(), number);
   expects(problem == std::errc() && *end == '_', "a migration is named NNN_what_it_brings.sql");
   return number;
+}
+
+using Schema = std::map<std::string, std::string>;  ///< what makes it, by kind and name
+
+Schema schema_of(Database& database) {
+  Statement query = database.prepare(
+      "SELECT type || ' ' || name, coalesce(sql, '') FROM sqlite_master "
+      "WHERE name NOT LIKE 'sqlite_%'");
+  Schema schema;
+  while (query.step()) schema[query.name(0)] = query.text(1);
+  return schema;
 }
 
 }  // namespace
@@ -37,6 +49,24 @@ void expect_known_schema(Database& database) {
                     std::to_string(newest_schema_version()) +
                     "; use the newer Slackwater that wrote it, or another --store");
   }
+}
+
+std::vector<std::string> schema_faults(Database& database) {
+  Database made = Database::in_memory();
+  migrate(made);
+  const Schema expected = schema_of(made);
+  const Schema found = schema_of(database);
+  std::vector<std::string> faults;
+  for (const auto& [name, sql] : expected) {
+    const auto one = found.find(name);
+    if (one == found.end())
+      faults.push_back("the " + name + " is gone");
+    else if (one->second != sql)
+      faults.push_back("the " + name + " is not as this program makes it");
+  }
+  for (const auto& [name, sql] : found)
+    if (!expected.contains(name)) faults.push_back("the " + name + " is none of ours");
+  return faults;
 }
 
 void migrate(Database& database, int target) {

@@ -1,6 +1,8 @@
 #pragma once
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace slackwater::store {
 
@@ -22,6 +24,10 @@ struct EmbeddedSql {
 
 /// Throws Error(invalid_input) where the store was written by a newer program.
 void expect_known_schema(Database& database);
+
+/// What of the schema this program writes is not as it writes it, each in words: a table, index or
+/// trigger that is gone, changed, or of nobody. Of a catalogue of the newest version.
+[[nodiscard]] std::vector<std::string> schema_faults(Database& database);
 
 /// Brings the catalogue to `target`, one transaction per migration, so that an interruption leaves
 /// a whole version. Safe where several processes try at once: each looks again under the write

@@ -25,6 +25,18 @@ std::uintmax_t size_of(const std::filesystem::path& file) {
   return problem ? 0 : size;
 }
 
+/// 0: there is none, or it is empty. @throws Error(unavailable) where nobody may tell us
+std::uintmax_t size_of_catalogue(const std::filesystem::path& folder) {
+  const std::filesystem::path file = catalogue_file(folder);
+  std::error_code problem;
+  const std::uintmax_t size = std::filesystem::file_size(file, problem);
+  if (!problem) return size;
+  if (problem == std::errc::no_such_file_or_directory) return 0;
+  throw Error(ErrorKind::unavailable, "the catalogue " + file.string() +
+                                          " cannot be looked at: " + problem.message() +
+                                          "; check the path and its permissions");
+}
+
 bool holds_content(const std::filesystem::path& folder) {
   std::error_code problem;
   const std::filesystem::directory_iterator first(files_folder(folder), problem);
@@ -124,7 +136,7 @@ Database open_catalogue_for_writing(const std::filesystem::path& folder) {
                 "the store " + folder.string() + " cannot be written: " + std::strerror(reason) +
                     "; give write permission on its folder, or choose another --store");
   }
-  if (size_of(file) > 0) {
+  if (size_of_catalogue(folder) > 0) {
     Database database = Database::open(file, Database::Access::write);
     if (is_current(database)) return database;
   }
@@ -149,7 +161,7 @@ Database open_catalogue_for_writing(const std::filesystem::path& folder) {
 }
 
 Database open_catalogue_for_reading(const std::filesystem::path& folder) {
-  if (size_of(catalogue_file(folder)) == 0) {
+  if (size_of_catalogue(folder) == 0) {
     if (holds_content(folder)) throw lost_catalogue(folder);
     throw Error(ErrorKind::not_found, "there is no store in " + folder.string() +
                                           "; run `slackwater ingest PATH... --store " +

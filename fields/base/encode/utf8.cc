@@ -51,6 +51,21 @@ bool is_begun_character(std::string_view text) {
   return sound > 0 && sound == text.size() && sound < bytes_from(byte_of(text, 0));
 }
 
+std::string as_utf8(std::string_view text) {
+  std::string utf8;
+  utf8.reserve(text.size());
+  for (std::string_view left = text; !left.empty();) {
+    const std::string_view from = left;
+    if (take_character(left)) {
+      utf8 += from.substr(0, from.size() - left.size());
+    } else {
+      utf8 += "\xef\xbf\xbd";
+      left.remove_prefix(1);
+    }
+  }
+  return utf8;
+}
+
 bool steers(std::uint32_t character) {
   const auto is_in = [character](std::uint32_t first, std::uint32_t last) {
     return character >= first && character <= last;

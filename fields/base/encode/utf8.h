@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace slackwater {
@@ -10,6 +11,9 @@ namespace slackwater {
 
 /// Whether a text is what a character begins with, and more of it is to come.
 [[nodiscard]] bool is_begun_character(std::string_view text);
+
+/// The text, each byte of which that is no UTF-8 is U+FFFD.
+[[nodiscard]] std::string as_utf8(std::string_view text);
 
 /// Whether a character steers what shows it: control characters (C0, DEL, C1), ends of lines and
 /// paragraphs, and what turns the direction of writing (Unicode 15, Bidi_Control).

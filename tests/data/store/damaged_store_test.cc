@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "data/store/database.h"
@@ -7,6 +8,7 @@
 #include "data/store/store.h"
 #include "fields/base/error.h"
 #include "fields/base/numbers/random.h"
+#include "tests/data/store/run_sql.h"
 #include "tests/data/store/sample_rows.h"
 #include "tests/support/temporary_folder.h"
 
@@ -247,6 +249,90 @@ TEST(Migrations, BringEveryEarlierVersionUpToDateWithItsRows) {
       EXPECT_TRUE(store.check(true).sound);
     }
   }
+}
+
+/// What SQL does to a catalogue past our own rules.
+struct Damage {
+  const char* sql;
+  const char* found;  ///< by `check_store`
+};
+
+// Each can be read as SQLite, and says what this program does not write.
+TEST_F(DamagedStore, ACatalogueThatSaysOtherThingsIsNamedAndNeverOursToMend) {
+  const std::string sound = samples::read_file(catalogue_);
+  const std::string free =
+      "PRAGMA ignore_check_constraints = 1; PRAGMA foreign_keys = 0; "
+      "DROP TRIGGER IF EXISTS forecast_is_immutable; "
+      "DROP TRIGGER IF EXISTS source_is_immutable; ";
+  const std::vector<Damage> all{
+      {"DROP TABLE session_action", "the table session_action is gone"},
+      {"DROP INDEX granule_by_time", "the index granule_by_time is gone"},
+      {"DROP TRIGGER granule_is_immutable", "the trigger granule_is_immutable is gone"},
+      {"CREATE TABLE more (a)", "the table more is none of ours"},
+      {"ALTER TABLE source ADD COLUMN more TEXT", "the table source is not as this program"},
+      {"PRAGMA user_version = 3", "damaged"},
+      {"PRAGMA user_version = 99", "has schema version 99"},
+      {"PRAGMA user_version = -1", "has schema version -1"},
+      {"UPDATE forecast SET content_sha256 = '../../../etc/passwd'", "expected a checksum"},
+      {"UPDATE forecast SET content_sha256 = upper(content_sha256)", "expected a checksum"},
+      {"UPDATE forecast SET site_id = hex(zeroblob(1500000))", "holds 3000000 bytes"},
+      {"UPDATE forecast SET day = 'yesterday'", "the column day holds 'yesterday'"},
+      {"UPDATE forecast SET wind_policy = 'none'", "the column wind_policy holds 'none'"},
+      {"UPDATE source SET sha256 = 'x' WHERE id = 1", "expected a checksum"},
+      {"DELETE FROM source WHERE id = 1", "names a row of table source that is not there"}};
+  for (const Damage& damage : all) {
+    samples::write_file(catalogue_, sound);
+    ASSERT_EQ(run_sql(folder_, free + damage.sql), "") << damage.sql;
+    const CheckReport report = check_store(folder_, false);
+    EXPECT_FALSE(report.sound) << damage.sql;
+    EXPECT_TRUE(std::any_of(report.findings.begin(), report.findings.end(),
+                            [&](const CheckFinding& finding) {
+                              return finding.found.find(damage.found) != std::string::npos;
+                            }))
+        << damage.sql << ": " << (report.findings.empty() ? "" : report.findings[0].found);
+    try {
+      Store store = Store::open(folder_, OpenMode::read_only);
+      static_cast<void>(store.list_forecasts());
+      static_cast<void>(store.list_sources());
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::invalid_input) << damage.sql << ": " << error.message();
+    }
+  }
+}
+
+TEST_F(DamagedStore, TextOfOtherLettersIsReadWithoutThem) {
+  ASSERT_EQ(run_sql(folder_,
+                    "DROP TRIGGER forecast_is_immutable; "
+                    "UPDATE forecast SET headline = CAST(x'41ff42' AS TEXT)"),
+            "");
+  EXPECT_EQ(open().list_forecasts().at(0).headline,
+            "A\xef\xbf\xbd"
+            "B");
+}
+
+// Wherever a bit of the catalogue is another one, it is said what it is, or nothing is lost by it.
+TEST_F(DamagedStore, NoSingleByteIsAFaultOfOurs) {
+  const std::string sound = samples::read_file(catalogue_);
+  Rng rng(7, "places");
+  std::size_t refused = 0;
+  for (int turn = 0; turn < 300; ++turn) {
+    std::string bytes = sound;
+    bytes[rng.bits() % bytes.size()] ^= static_cast<char>(1U << rng.bits() % 8U);
+    for (const char* const more : {"-wal", "-shm"})
+      std::filesystem::remove(catalogue_.string() + more);
+    samples::write_file(catalogue_, bytes);
+    try {
+      Store store = Store::open(folder_, OpenMode::read_only);
+      static_cast<void>(store.list_forecasts());
+      static_cast<void>(store.list_sources());
+      static_cast<void>(store.find_granules({}));
+      static_cast<void>(check_store(folder_, false));
+    } catch (const Error& error) {
+      ++refused;
+      EXPECT_NE(error.kind(), ErrorKind::internal) << error.message();
+    }
+  }
+  EXPECT_GT(refused, 10U);
 }
 
 }  // namespace
