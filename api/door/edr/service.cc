@@ -32,6 +32,8 @@ using http::Response;
 constexpr int in_force_max_age_s = 30;
 constexpr int issued_max_age_s = 86400;
 constexpr int metadata_max_age_s = 10;
+/// Of a query that is planned while others wait.
+constexpr std::size_t short_query_bytes = 2048;
 
 constexpr std::array document_formats{Format::json, Format::html};
 constexpr std::array feature_formats{Format::geojson, Format::json, Format::html};
@@ -222,9 +224,12 @@ class Service {
       return told(asked, planned.plan.answer(), planned.format,
                   of_instance ? issued_max_age_s : in_force_max_age_s);
     };
+    const auto all_of_it = [=]() -> Response { return answer(request, make_plan(request, path)); };
+    // What is long to read (a polygon of a thousand corners) is long to plan.
+    if (request.query.size() > short_query_bytes) return LongWork{all_of_it};
     const Planned planned = make_plan(request, path);
     if (!takes_long(planned.plan.work)) return answer(request, planned);
-    return LongWork{[=]() -> Response { return answer(request, make_plan(request, path)); }};
+    return LongWork{all_of_it};
   }
 
   [[nodiscard]] std::shared_ptr<const Field> field(const std::string& instance) const {

@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <variant>
@@ -25,6 +26,7 @@ struct Request {
   std::string protocols;      ///< Sec-WebSocket-Protocol: those that are offered, as sent
   std::string body;
   bool is_trusted = false;  ///< from loopback, or carries the token
+  std::stop_token stop{};   ///< asked for where nobody waits for the answer any more
 };
 
 struct Response {

@@ -1,6 +1,7 @@
 #include "api/door/http/server.h"
 
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -29,6 +30,8 @@ using ErrorCode = boost::system::error_code;
 
 /// Connections taken from the queue before others are looked after again.
 constexpr int accepts_at_once = 64;
+/// So that short answers find a core while long ones are made.
+constexpr int long_work_niceness = 10;
 /// Newcomers that are being told to come back, beyond `Limits::connections`; more are just closed.
 constexpr std::size_t refusals_at_once = 64;
 
@@ -42,6 +45,22 @@ asio::ip::address address_of(const ServerOptions& options) {
   return address;
 }
 
+/// How many connections there is room for: as many files as the system lets us open, but for those
+/// that everything else needs.
+std::size_t connections_of(const Limits& limits) {
+  constexpr rlim_t for_all_else = 128;
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return limits.connections;
+  const rlim_t wanted = std::min<rlim_t>(limits.connections + for_all_else, files.rlim_max);
+  if (files.rlim_cur < wanted) {
+    files.rlim_cur = wanted;
+    ::setrlimit(RLIMIT_NOFILE, &files);
+  }
+  const rlim_t room =
+      files.rlim_cur > 2 * for_all_else ? files.rlim_cur - for_all_else : files.rlim_cur / 2;
+  return std::min<std::size_t>(limits.connections, room);
+}
+
 bool is_loopback(const sockaddr_storage& peer) {
   if (peer.ss_family == AF_INET) {
     const auto& v4 = reinterpret_cast<const sockaddr_in&>(peer);
@@ -49,6 +68,18 @@ bool is_loopback(const sockaddr_storage& peer) {
   }
   const in6_addr& v6 = reinterpret_cast<const sockaddr_in6&>(peer).sin6_addr;
   return IN6_IS_ADDR_LOOPBACK(&v6) || (IN6_IS_ADDR_V4MAPPED(&v6) && v6.s6_addr[12] == 127);
+}
+
+Peer peer_of(const sockaddr_storage& address) {
+  Peer peer;
+  peer.is_loopback = is_loopback(address);
+  peer.is_ipv6 = address.ss_family == AF_INET6;
+  const auto bytes_of = [](const auto& of) {
+    return std::string(reinterpret_cast<const char*>(&of), sizeof of);
+  };
+  peer.address = peer.is_ipv6 ? bytes_of(reinterpret_cast<const sockaddr_in6&>(address).sin6_addr)
+                              : bytes_of(reinterpret_cast<const sockaddr_in&>(address).sin_addr);
+  return peer;
 }
 
 /// Often enough that no deadline is missed by more than an eighth, seldom enough to cost nothing.
@@ -64,10 +95,11 @@ class Server::Running {
  public:
   Running(const ServerOptions& options, const Handler& handler)
       : limits_(options.limits),
+        connections_(connections_of(limits_)),
         metrics_(options.metrics),
         exchange_(options, handler),
         short_work_(options.threads),
-        long_work_(options.threads),
+        long_work_(options.threads, long_work_niceness),
         site_{io_,
               exchange_,
               short_work_,
@@ -75,7 +107,8 @@ class Server::Running {
               limits_,
               metrics_.get(),
               [this](Session& s) { forget(s); },
-              [this](Session& s, std::shared_ptr<Session> next) { succeed(s, std::move(next)); }},
+              [this](Session& s, std::shared_ptr<Session> next) { succeed(s, std::move(next)); },
+              [this](std::size_t bytes) { close(slow_readers(all_sessions(), bytes)); }},
         acceptor_(io_),
         ticker_(io_) {
     listen({address_of(options), options.port});
@@ -157,18 +190,18 @@ class Server::Running {
   }
 
   void welcome(int descriptor, const sockaddr_storage& peer) {
-    if (sessions_.size() >= limits_.connections + refusals_at_once) {
+    if (sessions_.size() >= connections_ + refusals_at_once) {
       ::close(descriptor);
       return;
     }
     std::shared_ptr<Session> session;
     try {
-      session = open_session(site_, descriptor, is_loopback(peer), peer.ss_family == AF_INET6);
+      session = open_session(site_, descriptor, peer_of(peer));
     } catch (const std::exception&) {
       ::close(descriptor);  // no memory for it, or epoll would not have it
       return;
     }
-    const bool has_room = sessions_.size() < limits_.connections || displace_one();
+    const bool has_room = sessions_.size() < connections_ || displace_some();
     sessions_.emplace(session.get(), session);
     if (has_room) {
       session->begin();
@@ -177,19 +210,17 @@ class Server::Running {
     }
   }
 
-  /// Closes the session that has waited longest for its client, if that is longer than patience.
-  bool displace_one() {
-    const Moment latest = std::chrono::steady_clock::now() - limits_.patience;
-    std::shared_ptr<Session> longest;
-    Moment since = latest;
-    for (const auto& [key, session] : sessions_) {
-      const auto waiting = session->waiting_since();
-      if (!waiting || *waiting > since) continue;
-      longest = session;
-      since = *waiting;
-    }
-    if (longest) longest->close();
-    return longest != nullptr;
+  /// Several at a time: looking for them takes longer than closing them.
+  bool displace_some() {
+    const std::size_t most = std::max<std::size_t>(1, connections_ / 32);
+    const auto displaced =
+        those_to_displace(all_sessions(), limits_, std::chrono::steady_clock::now(), most);
+    close(displaced);
+    return !displaced.empty();
+  }
+
+  static void close(const std::vector<std::shared_ptr<Session>>& sessions) {
+    for (const auto& session : sessions) session->close();
   }
 
   void forget(Session& session) {
@@ -249,6 +280,7 @@ class Server::Running {
   // The io_context first: what lives in it goes before it.
   asio::io_context io_{1};
   const Limits limits_;
+  const std::size_t connections_;
   std::shared_ptr<Metrics> metrics_;
   Exchange exchange_;
   WorkerPool short_work_;

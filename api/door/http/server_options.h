@@ -21,20 +21,23 @@ struct Limits {
   std::size_t header_bytes = std::size_t{64} * 1024;  ///< all fields together; more: 431
   std::size_t field_bytes = std::size_t{16} * 1024;   ///< one field, name and value; longer: 431
   std::size_t body_bytes = 1 << 20;                   ///< longer: 413
-  std::size_t connections = 256;                      ///< at once; beyond: see `patience`
+  /// At once, where the system lets a process open so many files; beyond: see `patience`.
+  std::size_t connections = 2048;
   /// From the first byte of a request (or the connection) to its last; longer: 408.
   std::chrono::milliseconds read_time{10'000};
   /// From the last byte of a request to its answer; longer: 503, and the answer is thrown away.
   std::chrono::milliseconds handler_time{30'000};
-  /// A client must take in a quarter of a megabyte, or the rest, within this time.
+  /// A client must take in a quarter of a megabyte, or the rest, within this time ...
   std::chrono::milliseconds write_time{10'000};
-  /// Of all answers that clients are taking in at once, together: a large one beyond it is thrown
-  /// away for a 503, so that slow readers of large answers do not fill the memory.
-  std::size_t answer_bytes = std::size_t{512} << 20U;
+  std::chrono::milliseconds answer_time{600'000};  ///< ... and all of its answer within this one
+  /// Of all answers that clients are taking in at once, together. Beyond it the slowest readers are
+  /// closed (crowd.h); where that makes no room a large answer is thrown away for a 503.
+  std::size_t answer_bytes = std::size_t{256} << 20U;
   /// Silence between two requests of one connection.
   std::chrono::milliseconds idle_time{60'000};
-  /// With all connections taken a newcomer displaces the one that has kept us waiting longest, if
-  /// that is at least this long; else the newcomer is answered 503.
+  /// With all connections taken newcomers displace those that have kept us waiting longest, if that
+  /// is at least this long, and a tenth of it for who never said a whole request (crowd.h); else the
+  /// newcomer is answered 503.
   std::chrono::milliseconds patience{1'000};
   std::size_t websockets = 64;  ///< of the connections, at once; beyond: 503
   std::size_t websocket_message_bytes = std::size_t{64} * 1024;  ///< from a client; longer: 1009

@@ -1,5 +1,6 @@
 #include "api/door/http/session.h"
 
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
@@ -7,7 +8,9 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
+#include <cerrno>
 #include <optional>
+#include <stop_token>
 
 #include "api/door/http/metrics.h"
 #include "api/door/http/request_reader.h"
@@ -19,8 +22,10 @@ namespace {
 namespace asio = boost::asio;
 using ErrorCode = boost::system::error_code;
 
-/// What a client must take in within `Limits::write_time`.
+/// What a client must take in within `Limits::write_time`; who takes longer than the second for it
+/// goes first where there is no room.
 constexpr std::size_t write_stride_bytes = std::size_t{256} * 1024;
+constexpr std::chrono::milliseconds time_for_a_stride{2000};
 /// Answers so small are not refused for the memory that others hold.
 constexpr std::size_t small_answer_bytes = std::size_t{64} * 1024;
 constexpr std::chrono::milliseconds linger_time{1000};
@@ -31,12 +36,11 @@ enum class State { idle, reading, handling, writing, lingering, closed };
 
 class SocketSession final : public Session, public std::enable_shared_from_this<SocketSession> {
  public:
-  SocketSession(SessionSite& site, int descriptor, bool peer_is_loopback, bool is_ipv6)
+  SocketSession(SessionSite& site, int descriptor, Peer peer)
       : site_(site),
-        peer_is_loopback_(peer_is_loopback),
-        is_ipv6_(is_ipv6),
+        peer_(std::move(peer)),
         reader_(site.limits),
-        socket_(site.io, is_ipv6 ? asio::ip::tcp::v6() : asio::ip::tcp::v4(), descriptor) {
+        socket_(site.io, peer_.is_ipv6 ? asio::ip::tcp::v6() : asio::ip::tcp::v4(), descriptor) {
     ErrorCode ignored;  // reset in the meantime: the first read tells
     socket_.set_option(asio::ip::tcp::no_delay(true), ignored);
     if (site_.metrics != nullptr) site_.metrics->connection_opened();
@@ -49,7 +53,9 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   }
 
   void tick(Moment now) override {
-    if (state_ == State::closed || now < deadline_) return;
+    const bool is_endless =
+        state_ == State::writing && now > answer_begun_ + site_.limits.answer_time;
+    if (state_ == State::closed || (now < deadline_ && !is_endless)) return;
     if (state_ == State::reading) {
       refuse({408, "The request was not complete " + milliseconds(site_.limits.read_time) +
                        " after it began."});
@@ -61,10 +67,18 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     }
   }
 
-  std::optional<Moment> waiting_since() const override {
+  std::optional<Standing> standing(Moment now) const override {
+    if (state_ == State::writing) {
+      if (now - since_ < time_for_a_stride) return std::nullopt;
+      return Standing{Wait::reads_slowly, since_, reply_.body.size()};
+    }
     if (state_ != State::idle && state_ != State::reading) return std::nullopt;
-    return since_;
+    // Who was answered once and says half a request is not yet worth less.
+    const bool is_proven = answered_ > 0 && state_ == State::idle;
+    return Standing{is_proven ? Wait::at_rest : Wait::says_nothing, since_};
   }
+
+  const std::string& client() const override { return peer_.address; }
 
   void refuse_newcomer() override {
     refuse({503, "All " + std::to_string(site_.limits.connections) +
@@ -79,6 +93,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   void close() override {
     if (state_ == State::closed) return;
     if (state_ == State::handling || state_ == State::writing) end_request();
+    stop_.request_stop();
     state_ = State::closed;
     ErrorCode ignored;
     socket_.close(ignored);
@@ -145,35 +160,66 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     enter(State::handling, site_.limits.handler_time);
     begin_request_count();
     Arrival arrival = reader_.take();
-    arrival.peer_is_loopback = peer_is_loopback_;
-    submit(
-        site_.short_work,
-        [&exchange = site_.exchange, arrival = std::move(arrival)]() mutable {
-          return exchange.answer(std::move(arrival));
-        },
-        ++serial_, deadline_);
+    arrival.peer_is_loopback = peer_.is_loopback;
+    stop_ = {};
+    arrival.request.stop = stop_.get_token();
+    watch_for_reset();
+    submit(site_.short_work,
+           [&exchange = site_.exchange, arrival = std::move(arrival)]() mutable {
+             return exchange.answer(std::move(arrival));
+           },
+           {++serial_, deadline_, stop_.get_token()});
   }
+
+  /// A client that resets the connection waits for nothing any more: its work is not begun, or ends
+  /// where it is asked about (`Request::stop`). One that only has no more to say waits.
+  void watch_for_reset() {
+    if (is_watched_) return;
+    is_watched_ = true;
+    socket_.async_wait(
+        asio::ip::tcp::socket::wait_error, [self = shared_from_this()](const ErrorCode& problem) {
+          self->is_watched_ = false;
+          if (problem) return;
+          const bool is_at_work = self->state_ == State::handling || self->state_ == State::writing;
+          if (is_at_work && self->is_reset()) self->close();
+        });
+  }
+
+  bool is_reset() {
+    char byte = 0;
+    return ::recv(socket_.native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT) < 0 &&
+           errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR;
+  }
+
+  /// A request as the threads of the pools know it.
+  struct Asked {
+    std::uint64_t serial = 0;
+    Moment deadline;
+    std::stop_token stop;
+  };
 
   /// What a thread does for a request: to the end, or to where it takes long.
   using Step = std::function<std::variant<Reply, LongReply>()>;
 
   /// Touches nothing of the session but what never changes: it is called on
   /// the threads of a pool too.
-  void submit(WorkerPool& pool, Step step, std::uint64_t serial, Moment deadline) {
-    auto job = [self = shared_from_this(), serial, deadline, step = std::move(step)]() mutable {
+  void submit(WorkerPool& pool, Step step, Asked asked) {
+    auto job = [self = shared_from_this(), asked = std::move(asked),
+                step = std::move(step)]() mutable {
       SessionSite& site = self->site_;
       std::optional<Reply> reply;
-      // Where all threads were busy for too long the client has been told already.
-      if (std::chrono::steady_clock::now() < deadline) {
+      // Where all threads were busy for too long the client has been told already, or is gone.
+      if (std::chrono::steady_clock::now() < asked.deadline && !asked.stop.stop_requested()) {
         auto done = step();
         if (auto* rest = std::get_if<LongReply>(&done)) {
-          self->submit(site.long_work, std::move(*rest), serial, deadline);
+          self->submit(site.long_work, std::move(*rest), asked);
         } else {
           reply = std::get<Reply>(std::move(done));
         }
       }
       // The session goes back with the answer: it is never let go of on this thread.
-      asio::post(site.io, [self = std::move(self), serial, reply = std::move(reply)]() mutable {
+      asio::post(site.io, [self = std::move(self), serial = asked.serial,
+                           reply = std::move(reply)]() mutable {
         const bool is_awaited = self->state_ == State::handling && serial == self->serial_;
         if (reply && is_awaited) self->deliver(std::move(*reply));
       });
@@ -184,6 +230,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   void refuse(const Refusal& refusal) {
     if (state_ != State::handling) begin_request_count();
     ++serial_;  // an answer that comes later is not for this connection any more
+    stop_.request_stop();
     write(site_.exchange.refusal(refusal.status, refusal.detail));
   }
 
@@ -215,7 +262,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     const int descriptor = socket_.release();
     std::shared_ptr<Session> successor;
     try {
-      successor = open_websocket(site_, descriptor, is_ipv6_, std::move(reply));
+      successor = open_websocket(site_, descriptor, peer_, std::move(reply));
     } catch (const std::exception&) {
       ::close(descriptor);  // no memory for it
       return close();
@@ -230,8 +277,11 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   void deliver(Reply reply) {
     if (reply.successor) return upgrade(std::move(reply));
     const std::size_t bytes = reply.body.size();
-    const bool is_too_much = site_.answer_bytes + bytes > site_.limits.answer_bytes;
-    if (is_too_much && site_.answer_bytes > 0 && bytes > small_answer_bytes) {
+    const auto is_too_much = [&] {
+      return site_.answer_bytes > 0 && site_.answer_bytes + bytes > site_.limits.answer_bytes;
+    };
+    if (is_too_much()) site_.make_room(site_.answer_bytes + bytes - site_.limits.answer_bytes);
+    if (is_too_much() && bytes > small_answer_bytes) {
       return refuse({503, "Other clients are taking in " +
                               std::to_string(site_.answer_bytes >> 20U) +
                               " MB of answers; ask for less, or again in a moment."});
@@ -251,6 +301,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     written_ = 0;
     stride_ = 0;
     enter(State::writing, site_.limits.write_time);
+    answer_begun_ = since_;
     write_more();
   }
 
@@ -285,6 +336,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
                              std::chrono::steady_clock::now() - begun_, written_});
     }
     end_request();
+    ++answered_;
     const bool keep_alive = reply_.keep_alive && !site_.is_stopping;
     let_go_of_answer();
     if (!keep_alive) return linger();
@@ -302,8 +354,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   }
 
   SessionSite& site_;
-  const bool peer_is_loopback_;
-  const bool is_ipv6_;
+  const Peer peer_;
   RequestReader reader_;
   asio::ip::tcp::socket socket_;  // last of what may throw: the descriptor is ours from here on
   bool is_read_pending_ = false;
@@ -315,13 +366,16 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   Reply reply_;
   std::size_t written_ = 0;
   std::size_t stride_ = 0;  ///< written since the deadline was last put off
+  Moment answer_begun_;
+  std::size_t answered_ = 0;  ///< requests
+  std::stop_source stop_;     ///< of the work for the request in hand
+  bool is_watched_ = false;   ///< for a reset
 };
 
 }  // namespace
 
-std::shared_ptr<Session> open_session(SessionSite& site, int descriptor, bool peer_is_loopback,
-                                      bool is_ipv6) {
-  return std::make_shared<SocketSession>(site, descriptor, peer_is_loopback, is_ipv6);
+std::shared_ptr<Session> open_session(SessionSite& site, int descriptor, Peer peer) {
+  return std::make_shared<SocketSession>(site, descriptor, std::move(peer));
 }
 
 }  // namespace slackwater::api::http

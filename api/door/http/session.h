@@ -3,7 +3,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
+#include "api/door/http/crowd.h"
 #include "api/door/http/exchange.h"
 #include "api/door/http/server_options.h"
 #include "api/door/http/worker_pool.h"
@@ -18,6 +20,13 @@ using Moment = std::chrono::steady_clock::time_point;
 
 class Session;
 
+/// Who is at the other end of a connection.
+struct Peer {
+  std::string address;  ///< its bytes
+  bool is_loopback = false;
+  bool is_ipv6 = false;
+};
+
 /// Where sessions live: what they share. Outlives them.
 struct SessionSite {
   boost::asio::io_context& io;
@@ -29,6 +38,8 @@ struct SessionSite {
   std::function<void(Session&)> on_closed;  ///< called once, with the session still alive
   /// Another session has taken a connection over; called instead of `on_closed`.
   std::function<void(Session&, std::shared_ptr<Session> successor)> on_succeeded;
+  /// Closes slow readers that hold so many bytes, where there are any.
+  std::function<void(std::size_t bytes)> make_room;
   std::size_t websockets = 0;    ///< open
   std::size_t answer_bytes = 0;  ///< of bodies that clients are taking in
   bool is_stopping = false;      ///< answers close their connection from now on
@@ -50,8 +61,10 @@ class Session {
   virtual void begin() = 0;
   /// Acts on a deadline that has passed: 408, 503 or the end of the connection.
   virtual void tick(Moment now) = 0;
-  /// Since when it waits for the client to say something; nothing while it has work in hand.
-  [[nodiscard]] virtual std::optional<Moment> waiting_since() const = 0;
+  /// How it waits for its client; nothing while it has work in hand.
+  [[nodiscard]] virtual std::optional<Standing> standing(Moment now) const = 0;
+  /// The address of its client, whatever the port.
+  [[nodiscard]] virtual const std::string& client() const = 0;
   /// Answers 503 instead of reading.
   virtual void refuse_newcomer() = 0;
   /// Closes what waits; what is being answered may finish.
@@ -61,7 +74,6 @@ class Session {
 
 /// Takes over a connected, non-blocking socket; where it throws, it does not. Call `begin`
 /// or `refuse_newcomer` next.
-[[nodiscard]] std::shared_ptr<Session> open_session(SessionSite& site, int descriptor,
-                                                    bool peer_is_loopback, bool is_ipv6);
+[[nodiscard]] std::shared_ptr<Session> open_session(SessionSite& site, int descriptor, Peer peer);
 
 }  // namespace slackwater::api::http

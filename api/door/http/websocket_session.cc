@@ -111,14 +111,15 @@ enum class SocketState { open, closing, closed };
 class WebSocketSession final : public Session,
                                public std::enable_shared_from_this<WebSocketSession> {
  public:
-  WebSocketSession(SessionSite& site, int descriptor, bool is_ipv6, Reply reply)
+  WebSocketSession(SessionSite& site, int descriptor, Peer peer, Reply reply)
       : site_(site),
+        peer_(std::move(peer)),
         handler_(std::move(reply.successor->handler)),
         request_(std::move(reply.successor->request)),
         protocol_(std::move(reply.successor->protocol)),
         reader_(site.limits.websocket_message_bytes),
         control_(std::move(reply.head)),
-        socket_(site.io, is_ipv6 ? asio::ip::tcp::v6() : asio::ip::tcp::v4(), descriptor) {}
+        socket_(site.io, peer_.is_ipv6 ? asio::ip::tcp::v6() : asio::ip::tcp::v4(), descriptor) {}
 
   void begin() override {
     ++site_.websockets;
@@ -153,7 +154,8 @@ class WebSocketSession final : public Session,
     }
   }
 
-  std::optional<Moment> waiting_since() const override { return std::nullopt; }
+  std::optional<Standing> standing(Moment /*now*/) const override { return std::nullopt; }
+  const std::string& client() const override { return peer_.address; }
   void refuse_newcomer() override { close(); }
   void drain() override { bid_farewell({close_code::going_away, "the server is stopping"}); }
 
@@ -314,6 +316,7 @@ class WebSocketSession final : public Session,
   }
 
   SessionSite& site_;
+  const Peer peer_;
   const std::shared_ptr<WebSocketHandler> handler_;
   const Request request_;
   const std::string protocol_;
@@ -338,9 +341,8 @@ class WebSocketSession final : public Session,
 
 }  // namespace
 
-std::shared_ptr<Session> open_websocket(SessionSite& site, int descriptor, bool is_ipv6,
-                                        Reply reply) {
-  return std::make_shared<WebSocketSession>(site, descriptor, is_ipv6, std::move(reply));
+std::shared_ptr<Session> open_websocket(SessionSite& site, int descriptor, Peer peer, Reply reply) {
+  return std::make_shared<WebSocketSession>(site, descriptor, std::move(peer), std::move(reply));
 }
 
 }  // namespace slackwater::api::http

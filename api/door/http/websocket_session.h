@@ -16,7 +16,7 @@ namespace slackwater::api::http {
 ///
 /// Takes over a connected, non-blocking socket that nobody waits on; where it throws, it does not.
 /// @param reply  with the head of the 101, not yet written, and a successor
-[[nodiscard]] std::shared_ptr<Session> open_websocket(SessionSite& site, int descriptor,
-                                                      bool is_ipv6, Reply reply);
+[[nodiscard]] std::shared_ptr<Session> open_websocket(SessionSite& site, int descriptor, Peer peer,
+                                                      Reply reply);
 
 }  // namespace slackwater::api::http

@@ -13,7 +13,8 @@ namespace slackwater::api::http {
 /// has one request at a time.
 class WorkerPool {
  public:
-  explicit WorkerPool(std::size_t threads);
+  /// @param niceness  of its threads beside the others of this process (nice(2))
+  explicit WorkerPool(std::size_t threads, int niceness = 0);
   ~WorkerPool();  ///< stops
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
