@@ -9,7 +9,6 @@ async function check(session_id: string, token: string): Promise<Check> {
     const answer = await fetch(`/sessions/${encodeURIComponent(session_id)}/check`, {
       headers: token === '' ? {} : { Authorization: `Bearer ${token}` },
       cache: 'no-store',
-      credentials: 'omit',
       signal: AbortSignal.timeout(4000),
     });
     if (answer.ok) return { is: 'allowed' };
@@ -32,7 +31,6 @@ async function had(
     const answer = await fetch(parts.join('/'), {
       headers: { Authorization: `Bearer ${token}` },
       cache: 'no-store',
-      credentials: 'omit',
       signal: AbortSignal.timeout(within_ms),
     });
     return answer.ok ? answer : null;
@@ -111,7 +109,6 @@ async function asked(path: string, how: RequestInit): Promise<Response> {
   try {
     return await fetch(path, {
       cache: 'no-store',
-      credentials: 'omit',
       signal: AbortSignal.timeout(4000),
       ...how,
     });
