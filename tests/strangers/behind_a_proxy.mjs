@@ -59,8 +59,8 @@ try {
 
   const seat = await opened(live, "/session");
   await seat.page.waitForSelector("form.join option", { timeout: LIMIT_MS });
-  await seat.page.type("form.join input[type=text]", "Ann");
-  await seat.page.type("form.join input[type=password]", "ann-0123456789abcdef");
+  await seat.page.type("form.join input[type=text]", "Bob");
+  await seat.page.type("form.join input[type=password]", "bob-0123456789abcdef");
   await seat.page.click("form.join button[type=submit]");
   await until(seat.page, () => document.documentElement.dataset.link === "seated");
   assert.deepEqual(seat.refused, []);
