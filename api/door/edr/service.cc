@@ -16,6 +16,7 @@
 #include "api/door/edr/write/html_page.h"
 #include "api/door/edr/write/metadata.h"
 #include "api/door/edr/write/openapi.h"
+#include "api/door/http/trust.h"
 #include "fields/base/encode/percent.h"
 #include "fields/base/error.h"
 
@@ -74,11 +75,14 @@ Response page_response(std::string html) {
           metadata_max_age_s};
 }
 
-bool is_plain_host(const std::string& host) {
-  return !host.empty() && host.size() < 256 && std::all_of(host.begin(), host.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
-           c == '-' || c == ':' || c == '[' || c == ']';
+/// Only a host of its own is repeated in links: what a client writes there is no address of ours.
+bool is_own_host(const std::string& host) {
+  const bool is_plain = std::all_of(host.begin(), host.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'F') || (c >= '0' && c <= '9') || c == '.' ||
+           c == ':' || c == '[' || c == ']';
   });
+  return is_plain && host.size() < 100 &&
+         (http::is_loopback_host(host) || http::is_numeric_host(host));
 }
 
 class Service {
@@ -90,7 +94,7 @@ class Service {
 
   [[nodiscard]] std::string base(const Request& request) const {
     if (!base_url_.empty()) return base_url_;
-    return is_plain_host(request.host) ? "http://" + request.host : std::string();
+    return is_own_host(request.host) ? "http://" + request.host : std::string();
   }
 
   /// What the service says of itself, as JSON, GeoJSON or a page.

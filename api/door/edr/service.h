@@ -12,7 +12,8 @@ namespace slackwater::api::edr {
 /// The routes of OGC API-EDR 1.1 over the forecasts of a store. Handlers parse, sample and write;
 /// they hold no physics and take no lock but to read an older forecast for the first time.
 /// @param base_url  as clients see the service, without a slash at its end;
-/// empty: from the Host header
+/// empty: from the Host header, where that is localhost or an address in numbers; else links begin
+/// with a slash
 /// @param freshness  when the list of sites calls a forecast old
 void add_routes(http::Router& router, std::shared_ptr<IssuedFields> forecasts,
                 const std::string& base_url = {}, const Freshness& freshness = {});

@@ -297,9 +297,8 @@ class Server::Running {
 
 Server::Server(ServerOptions options, Handler handler)
     : options_(std::move(options)), handler_(std::move(handler)) {
-  const bool is_local = address_of(options_).is_loopback();
   const bool has_token = options_.token && !options_.token->empty();
-  if (!is_local && !has_token && !options_.read_only) {
+  if (lets_others_in() && !has_token && !options_.read_only) {
     throw Error(ErrorKind::usage, "listening on " + options_.address +
                                       " lets other machines in: give a token for those that "
                                       "write, serve read-only, or listen on 127.0.0.1");
@@ -307,6 +306,8 @@ Server::Server(ServerOptions options, Handler handler)
 }
 
 Server::~Server() = default;
+
+bool Server::lets_others_in() const { return !address_of(options_).is_loopback(); }
 
 void Server::start() {
   expects(!running_, "a server is started once before it is stopped");

@@ -24,6 +24,8 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
+  /// Whether other machines may reach it: its address is not loopback.
+  [[nodiscard]] bool lets_others_in() const;
   /// Listens when it returns. Throws Error(unavailable) where the port is taken.
   void start();
   /// The port listened on; 0 unless started.

@@ -29,6 +29,15 @@ bool is_loopback_host(std::string_view host) {
   return name == "localhost" || name == "[::1]" || (is_number && name.starts_with("127."));
 }
 
+bool is_numeric_host(std::string_view host) {
+  const std::string_view name = name_of_host(host);
+  if (name.starts_with('[')) {
+    return name.size() > 2 && name.ends_with(']') &&
+           name.find_first_not_of("0123456789abcdefABCDEF:.", 1) == name.size() - 1;
+  }
+  return !name.empty() && name.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
 bool is_trusted(const std::optional<std::string>& token, const Arrival& arrival) {
   const std::string_view offered = bearer_of(arrival.request.authorization);
   if (token && !token->empty() && equal_in_constant_time(offered, *token)) return true;

@@ -22,6 +22,9 @@ namespace slackwater::api::http {
 /// "localhost", "127.0.0.1", "[::1]", with or without a port.
 [[nodiscard]] bool is_loopback_host(std::string_view host);
 
+/// An address in numbers, with or without a port: what DNS cannot point elsewhere.
+[[nodiscard]] bool is_numeric_host(std::string_view host);
+
 /// Equality whose time does not tell where two strings differ.
 [[nodiscard]] bool equal_in_constant_time(std::string_view a, std::string_view b) noexcept;
 

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "api/door/http/trust.h"
+#include "api/program/secret_file.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 
@@ -67,6 +68,7 @@ TokenBook TokenBook::drawn(UtcTime until) {
 }
 
 TokenBook TokenBook::read(const std::filesystem::path& file) {
+  api::expect_secret(file);
   const Config config = Config::load(file);
   TokenBook book = read(config);
   config.expect_all_read();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "api/ask/rehearse/mission_file.h"
+#include "api/program/secret_file.h"
 #include "fields/base/config.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -96,6 +97,7 @@ void expect_sense(const Config& config, const OperatorFile& read) {
 }  // namespace
 
 OperatorFile read_operator_file(const path& file, const path& store_folder) {
+  api::expect_secret(file);
   const Config config = Config::load(file);
   const path folder = std::filesystem::absolute(file).parent_path();
   OperatorFile read;

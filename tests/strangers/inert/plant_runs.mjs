@@ -7,7 +7,7 @@ import { yaml } from "./payloads.mjs";
 
 const [data, work] = process.argv.slice(2);
 const t = (key) => yaml(text_of(key));
-const write = (name, text) => writeFileSync(join(work, name), text);
+const write = (name, text) => writeFileSync(join(work, name), text, { mode: 0o600 }); // tokens are in some
 const renamed = (kind, id, to, key) => {
   const sheet = readFileSync(join(data, kind, `${id}.yaml`), "utf8").replace(/^id: .*$/mu, `id: ${to}`);
   writeFileSync(

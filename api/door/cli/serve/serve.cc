@@ -17,6 +17,7 @@
 #include "api/door/sessions/interface_document.h"
 #include "api/issued/issued_fields.h"
 #include "api/program/paths.h"
+#include "api/program/secret_file.h"
 #include "api/program/version.h"
 #include "fields/base/log.h"
 #include "fields/base/spare_memory.h"
@@ -57,6 +58,7 @@ std::unique_ptr<live::ForecastService> on_dds(const ServeArguments& arguments,
 
 std::optional<std::string> token_of(const std::string& file) {
   if (file.empty()) return std::nullopt;
+  expect_secret(file);
   std::ifstream stream(file);
   std::string token;
   std::getline(stream, token);
@@ -119,6 +121,18 @@ desk::Listening listening(const ServeArguments& arguments) {
   return to;
 }
 
+/// Others read along where there is no TLS, and anybody may read what is served.
+void warn_of_others(const http::Server& server, const ServeArguments& arguments) {
+  if (!server.lets_others_in()) return;
+  const bool has_tokens = !arguments.token_file.empty() || !arguments.sessions.empty();
+  log_event(LogLevel::warning, "open to other machines",
+            {{"address", arguments.address},
+             {"problem", has_tokens ? "without TLS: others on the network read along, tokens too"
+                                    : "without TLS and without a password: whoever reaches this "
+                                      "machine reads all that is served"},
+             {"advice", "listen on 127.0.0.1, behind a proxy (behind_a_proxy.md)"}});
+}
+
 /// As many stations at each session as a server of one session takes.
 http::Limits limits_for(std::size_t sessions_at_once) {
   http::Limits limits;
@@ -171,6 +185,7 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
   options.methods_at = [router](const std::string& path) { return router.methods_at(path); };
   const auto dds_service = on_dds(arguments, forecasts, context);
   http::Server server(options, router);
+  warn_of_others(server, arguments);
   server.start();
   if (people) people->begin_at_start();
   const std::string url =
@@ -209,8 +224,10 @@ void add_serve(CLI::App& app, Context& context) {
       ->check(CLI::Range(1, 64));
   command->add_option("--token-file", arguments->token_file,
                       "file with the token that whoever writes from afar must show");
-  command->add_option("--base-url", arguments->base_url,
-                      "address as clients see it, e.g. behind a proxy (default: the Host header)");
+  command->add_option(
+      "--base-url", arguments->base_url,
+      "address as clients see it, e.g. behind a proxy (default: the Host header, where "
+      "that is a number or localhost; else links have no host)");
   command->add_option("--stale-after", arguments->stale_after,
                       "a forecast older than this is called stale by /, /health and /metrics "
                       "(default 36h)");

@@ -12,6 +12,7 @@
 #include "tests/api/door/live/live_records.h"
 #include "tests/strangers/live/service_client.h"
 #include "tests/support/comes_true.h"
+#include "tests/support/keep_secret.h"
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/websocket_client.h"
@@ -32,6 +33,7 @@ struct StalledByHost : testing::Test {
     std::ofstream(folder / "people.yaml")
         << "people: [{name: Gus, role: spectator, token: " << token
         << ", until: 2100-01-01T00:00:00Z}]\n";
+    keep_secret(folder / "people.yaml");
     run.emplace(start_program(
         {"live", folder / "run.yaml", "--dds-domain", std::to_string(domain.number()), "--people",
          "0", "--people-file", folder / "people.yaml", "--store", folder / "store"},

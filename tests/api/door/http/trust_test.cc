@@ -62,6 +62,16 @@ TEST(Trust, KnowsLoopbackByName) {
   }
 }
 
+TEST(Trust, KnowsAddressesInNumbers) {
+  for (const char* host : {"10.0.0.1", "192.168.1.7:8080", "[::1]:80", "[2001:db8::7]"}) {
+    EXPECT_TRUE(is_numeric_host(host)) << host;
+  }
+  for (const char* host : {"", "localhost", "evil.example", "10.0.0.1.evil.example", "[]", "[x]:80",
+                           "[::1", "10.0.0.1e:80"}) {
+    EXPECT_FALSE(is_numeric_host(host)) << host;
+  }
+}
+
 TEST(Trust, WritingWithoutItIsRefusedReadingIsNot) {
   ServerOptions options;
   options.token = "secret";

@@ -8,6 +8,7 @@
 #include "tests/api/door/people/station_for_tests.h"
 #include "tests/support/comes_true.h"
 #include "tests/support/contains.h"
+#include "tests/support/keep_secret.h"
 #include "tests/support/refusal.h"
 #include "tests/support/started_program.h"
 #include "tests/support/temporary_folder.h"
@@ -37,6 +38,7 @@ struct PeopleCommand : testing::Test {
         << "people:\n  - {name: Ann, role: operator, token: " << ann
         << ", until: 2100-01-01T00:00:00Z}\n  - {name: Sue, role: supervisor, token: " << sue
         << ", until: 2100-01-01T00:00:00Z}\n";
+    keep_secret(folder / "people.yaml");
     program.emplace(start_program(
         {"live", folder / "run.yaml", "--people", "0", "--people-file", folder / "people.yaml",
          "--store", folder / "store", "--out", folder / "log.nc", "--record", folder / "live.mcap"},

@@ -8,6 +8,7 @@
 
 #include "tests/support/contains.h"
 #include "tests/support/error_of.h"
+#include "tests/support/keep_secret.h"
 #include "tests/support/temporary_folder.h"
 
 namespace slackwater::tests::seats_test {
@@ -24,6 +25,7 @@ const std::string ann = "ann-0123456789abcdef", crowd = "crowd-0123456789abcdef"
 TokenBook book(const std::string& yaml) {
   const TemporaryFolder folder;
   std::ofstream(folder / "people.yaml") << yaml;
+  keep_secret(folder / "people.yaml");
   return TokenBook::read(folder / "people.yaml");
 }
 

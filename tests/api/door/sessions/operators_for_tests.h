@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/support/http_client.h"
+#include "tests/support/keep_secret.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/twin/run/run_for_tests.h"
 
@@ -45,6 +46,7 @@ inline std::string rovs_yaml(const std::string& name, const std::vector<std::str
 
 inline void write_file(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file) << text;
+  keep_secret(file);
 }
 
 /// POST of a JSON text, on a connection of its own.
