@@ -3,7 +3,7 @@
 JOBS ?= 2
 CTEST_PARALLEL ?= 2
 
-.PHONY: all demo test quick outputs package bench soak tsan coverage fuzz tidy tidy-changed \
+.PHONY: all demo test quick outputs sbom package bench soak tsan coverage fuzz tidy tidy-changed \
   format check-format packages test-packages venv clean
 
 all: packages
@@ -28,8 +28,13 @@ quick: test-packages
 outputs: all test-packages
 	tests/outputs/capture build/release/api/slackwater build/outputs
 
+# What the program is made of: build/sbom.cdx.json, and for people build/licences_of_parts.md.
+sbom: all
+	cmake/sbom build/release
+	cp build/release/sbom.cdx.json build/release/licences_of_parts.md build
+
 # build/package/slackwater_VERSION_ARCHITECTURE.deb
-package: all
+package: sbom
 	cpack --config build/release/CPackConfig.cmake -B build/package
 
 bench: test-packages
