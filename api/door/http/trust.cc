@@ -5,10 +5,14 @@
 namespace slackwater::api::http {
 namespace {
 
-/// The host without its port.
+/// The host without its port; "" where what follows it is no port.
 std::string_view name_of_host(std::string_view host) {
-  if (host.starts_with('[')) return host.substr(0, host.find(']') + 1);
-  return host.substr(0, host.find(':'));
+  const std::size_t end = host.starts_with('[') ? host.find(']') : host.find(':');
+  const std::string_view name = host.substr(0, host.starts_with('[') ? end + 1 : end);
+  const std::string_view port = host.substr(name.size());
+  const bool is_port =
+      port.empty() || (port[0] == ':' && port.find_first_not_of("0123456789", 1) == port.npos);
+  return is_port ? name : std::string_view();
 }
 
 }  // namespace

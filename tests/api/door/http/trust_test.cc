@@ -57,7 +57,8 @@ TEST(Trust, KnowsLoopbackByName) {
     EXPECT_TRUE(is_loopback_host(host)) << host;
   }
   for (const char* host : {"", "localhost.evil.example", "evil.example", "[::2]:80", "10.0.0.1",
-                           "127.evil.example", "127.0.0.1.evil.example:80"}) {
+                           "127.evil.example", "127.0.0.1.evil.example:80", "[::1]evil.example",
+                           "127.0.0.1:80@evil.example", "localhost:evil", "[::1"}) {
     EXPECT_FALSE(is_loopback_host(host)) << host;
   }
 }
@@ -66,8 +67,9 @@ TEST(Trust, KnowsAddressesInNumbers) {
   for (const char* host : {"10.0.0.1", "192.168.1.7:8080", "[::1]:80", "[2001:db8::7]"}) {
     EXPECT_TRUE(is_numeric_host(host)) << host;
   }
-  for (const char* host : {"", "localhost", "evil.example", "10.0.0.1.evil.example", "[]", "[x]:80",
-                           "[::1", "10.0.0.1e:80"}) {
+  for (const char* host :
+       {"", "localhost", "evil.example", "10.0.0.1.evil.example", "[]", "[x]:80", "[::1",
+        "10.0.0.1e:80", "[::1]evil.example", "10.0.0.1:80@evil.example"}) {
     EXPECT_FALSE(is_numeric_host(host)) << host;
   }
 }

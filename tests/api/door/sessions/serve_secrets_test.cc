@@ -27,6 +27,7 @@ struct ServeSecrets : testing::Test {
     std::vector<std::string> words{"serve", "--address", address,   "--port",
                                    "0",     "--json",    "--store", folder / "store"};
     words.insert(words.end(), more.begin(), more.end());
+    std::filesystem::remove(folder / "out");
     StartedProgram program(start_program(words, {}, folder / "out", folder / "err"));
     EXPECT_TRUE(
         comes_true([&] { return text_in("out").ends_with("\n"); }, std::chrono::seconds(60)))
