@@ -52,6 +52,15 @@ void add_cache_control(Response& response, bool cacheable) {
       stored ? "public, max-age=" + std::to_string(*response.max_age_s) : "no-store");
 }
 
+/// A page whose handler has no policy for it may run nothing and ask for nothing.
+void add_page_policy(Response& response) {
+  if (!response.media_type.starts_with("text/html")) return;
+  if (has_field(response, "Content-Security-Policy")) return;
+  response.headers.emplace_back("Content-Security-Policy",
+                                "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; "
+                                "form-action 'none'; frame-ancestors 'none'");
+}
+
 /// The coding of the body where that is wanted and worth it, "" for none.
 std::string_view choose_coding(Response& response, const Arrival& arrival) {
   if (has_field(response, "Content-Encoding") ||
@@ -168,6 +177,7 @@ Reply Exchange::finish(Response response, const Arrival& arrival) const {
   reply.method = arrival.request.method;
   reply.keep_alive = arrival.keep_alive;
   add_cache_control(response, response.status < 300 && reads(arrival.request.method));
+  add_page_policy(response);
   response.headers.emplace_back("Access-Control-Allow-Origin", "*");
   response.headers.emplace_back("Access-Control-Expose-Headers", exposed_fields_);
   if (response.status == 204) response.body.clear();

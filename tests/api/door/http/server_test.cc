@@ -101,6 +101,26 @@ TEST(HttpServer, EveryAnswerCarriesTheFieldsOfTheHouse) {
   }
 }
 
+TEST(HttpServer, APageRunsNothingUnlessItsHandlerHasAPolicy) {
+  api::http::Router router;
+  router.add("GET", "/bare", [](const api::http::Request&) {
+    return text_response("<script>1</script>", "text/html; charset=utf-8");
+  });
+  router.add("GET", "/own", [](const api::http::Request&) {
+    auto response = text_response("a page", "text/html");
+    response.headers.emplace_back("content-security-policy", "default-src 'self'");
+    return response;
+  });
+  router.add("GET", "/text", [](const api::http::Request&) { return text_response("{}"); });
+  const Served served(router);
+  const auto bare = served.get("/bare"), own = served.get("/own"), text = served.get("/text");
+  ASSERT_TRUE(bare && own && text);
+  EXPECT_EQ(bare->field("content-security-policy").find("default-src 'none'"), 0U);
+  EXPECT_EQ(bare->field("content-security-policy").find("script-src"), std::string::npos);
+  EXPECT_EQ(own->field("content-security-policy"), "default-src 'self'");
+  EXPECT_EQ(text->field("content-security-policy"), "");
+}
+
 TEST(HttpServer, HeadTellsTheLengthOfWhatGetWouldSend) {
   const Served served;
   HttpClient client = served.client();
