@@ -1,6 +1,7 @@
 """under_filter.py UNIT COMMAND...: runs the command with the system calls that the unit's lines
 SystemCallFilter allow, as systemd-analyze names them. Any other one is refused with EPERM, as the
 unit has it. Exit 77 means that there is no libseccomp."""
+
 import ctypes
 import ctypes.util
 import os
@@ -14,8 +15,12 @@ def calls_of(name):
     """Of a set, with the sets in it."""
     if not name.startswith("@"):
         return {name}
-    told = subprocess.run(["systemd-analyze", "syscall-filter", "--no-pager", name],
-                          capture_output=True, text=True, check=True).stdout
+    told = subprocess.run(
+        ["systemd-analyze", "syscall-filter", "--no-pager", name],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
     found = set()
     for line in told.splitlines()[1:]:
         word = line.strip()
