@@ -28,10 +28,10 @@ quick: test-packages
 outputs: all test-packages
 	tests/outputs/capture build/release/api/slackwater build/outputs
 
-# What the program is made of: build/sbom.cdx.json, and for people build/licences_of_parts.md.
+# What the program is made of: build/sbom.cdx.json, and for people build/licences_of_parts.txt.
 sbom: all
 	cmake/sbom build/release
-	cp build/release/sbom.cdx.json build/release/licences_of_parts.md build
+	cp build/release/sbom.cdx.json build/release/licences_of_parts.txt build
 
 # build/package/slackwater_VERSION_ARCHITECTURE.deb
 package: sbom

@@ -33,7 +33,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/api/docs/nginx DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT runtime)
 # What the program is made of, where cmake/sbom has told it of this build.
-install(FILES ${PROJECT_BINARY_DIR}/sbom.cdx.json ${PROJECT_BINARY_DIR}/licences_of_parts.md
+install(FILES ${PROJECT_BINARY_DIR}/sbom.cdx.json ${PROJECT_BINARY_DIR}/licences_of_parts.txt
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime OPTIONAL)
 install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT runtime)
