@@ -1,7 +1,8 @@
 # The two commands of the README are `make demo` and `make test`; each installs what it needs on a
 # bare Debian 12.
 JOBS ?= 2
-CTEST_PARALLEL ?= 2
+# One more than there are cores: many tests wait, for a browser, a clock, a disk.
+CTEST_PARALLEL ?= $(shell echo $$(($$(nproc) + 1)))
 
 .PHONY: all demo test quick outputs sbom package bench soak tsan coverage fuzz tidy tidy-changed \
   format check-format packages test-packages venv clean

@@ -36,7 +36,7 @@ struct Limits {
   /// Silence between two requests of one connection.
   std::chrono::milliseconds idle_time{60'000};
   /// With all connections taken newcomers displace those that have kept us waiting longest, if that
-  /// is at least this long, and a tenth of it for who never said a whole request (crowd.h); else the
+  /// is at least this long, or a tenth of it for who never said a whole request (crowd.h); else a
   /// newcomer is answered 503.
   std::chrono::milliseconds patience{1'000};
   std::size_t websockets = 64;  ///< of the connections, at once; beyond: 503
