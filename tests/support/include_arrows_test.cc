@@ -147,7 +147,7 @@ const Arrows& allowed_arrows_of_api() {
                          "api/show/report",   "api/show/traffic",
                          "api/show/windows",  "api/web"}},
       {"api/door/sessions",
-       {"api/ask/rehearse", "api/ask/run", "api/door/http", "api/door/people"}},
+       {"api/ask/rehearse", "api/ask/run", "api/door/http", "api/door/people", "api/program"}},
       {"api/door/edr/read", {}},
       {"api/door/edr/sample", {"api/door/edr/read", "api/issued"}},
       {"api/door/edr/write",

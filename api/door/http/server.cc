@@ -30,8 +30,6 @@ using ErrorCode = boost::system::error_code;
 
 /// Connections taken from the queue before others are looked after again.
 constexpr int accepts_at_once = 64;
-/// So that short answers find a core while long ones are made.
-constexpr int long_work_niceness = 10;
 /// Newcomers that are being told to come back, beyond `Limits::connections`; more are just closed.
 constexpr std::size_t refusals_at_once = 64;
 
@@ -99,7 +97,7 @@ class Server::Running {
         metrics_(options.metrics),
         exchange_(options, handler),
         short_work_(options.threads),
-        long_work_(options.threads, long_work_niceness),
+        long_work_(options.threads),
         site_{io_,
               exchange_,
               short_work_,

@@ -1,20 +1,12 @@
 #include "api/door/http/worker_pool.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include "fields/base/check.h"
 
 namespace slackwater::api::http {
 
-WorkerPool::WorkerPool(std::size_t threads, int niceness) {
+WorkerPool::WorkerPool(std::size_t threads) {
   expects(threads > 0, "a pool has a thread");
-  for (std::size_t i = 0; i < threads; ++i)
-    threads_.emplace_back([this, niceness] {
-      // Of this thread alone, as Linux has it; where it is refused all are as they were.
-      if (niceness != 0) ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), niceness);
-      work();
-    });
+  for (std::size_t i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
 }
 
 WorkerPool::~WorkerPool() { stop(); }

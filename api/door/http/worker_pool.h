@@ -13,8 +13,7 @@ namespace slackwater::api::http {
 /// has one request at a time.
 class WorkerPool {
  public:
-  /// @param niceness  of its threads beside the others of this process (nice(2))
-  explicit WorkerPool(std::size_t threads, int niceness = 0);
+  explicit WorkerPool(std::size_t threads);
   ~WorkerPool();  ///< stops
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;

@@ -206,12 +206,18 @@ Apart::End end_of(int status) {
   return is_of_a_fault(WTERMSIG(status)) ? Apart::End::crashed : Apart::End::killed;
 }
 
+std::ptrdiff_t threads_now() {
+  const std::filesystem::directory_iterator threads("/proc/self/task");
+  return std::distance(begin(threads), end(threads));
+}
+
+/// Libraries may begin threads as they are loaded (OpenBLAS: one for each further core), which wait
+/// for work of ours and hold no lock until then.
+const std::ptrdiff_t threads_of_libraries = threads_now();
+
 }  // namespace
 
-bool is_alone() {
-  const std::filesystem::directory_iterator threads("/proc/self/task");
-  return std::distance(begin(threads), end(threads)) <= 1;
-}
+bool is_alone() { return threads_now() <= threads_of_libraries; }
 
 Apart run_apart(const Allowance& allowance,
                 const std::function<std::string(const TellShare&)>& work,

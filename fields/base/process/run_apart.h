@@ -32,7 +32,8 @@ struct Apart {
   int signal = 0;  ///< that ended it; 0: none
 };
 
-/// Whether no other thread is alive in this process.
+/// Whether no thread is alive in this process but this one and those that libraries began when they
+/// were loaded.
 [[nodiscard]] bool is_alone();
 
 /// Says how far the work is, a share in [0, 1].
