@@ -162,9 +162,11 @@ std::string Statement::text(int column) const {
   return as_utf8({reinterpret_cast<const char*>(text), static_cast<std::size_t>(bytes)});
 }
 std::string Statement::name(int column) const {
-  std::string found = text(column);
-  if (found.size() > longest_name_bytes)
-    refuse(column, std::to_string(found.size()) + " bytes", "a name has at most 4096");
+  // Before it is made UTF-8, as it was measured when it was stored.
+  const std::string found = text(column);
+  const auto bytes = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+  if (bytes > longest_name_bytes)
+    refuse(column, std::to_string(bytes) + " bytes", "a name has at most 4096");
   return found;
 }
 std::string Statement::checksum(int column) const {

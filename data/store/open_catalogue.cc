@@ -31,7 +31,8 @@ std::uintmax_t size_of_catalogue(const std::filesystem::path& folder) {
   std::error_code problem;
   const std::uintmax_t size = std::filesystem::file_size(file, problem);
   if (!problem) return size;
-  if (problem == std::errc::no_such_file_or_directory) return 0;
+  if (problem == std::errc::no_such_file_or_directory || problem == std::errc::not_a_directory)
+    return 0;
   throw Error(ErrorKind::unavailable, "the catalogue " + file.string() +
                                           " cannot be looked at: " + problem.message() +
                                           "; check the path and its permissions");

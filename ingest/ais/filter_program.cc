@@ -48,7 +48,9 @@ std::filesystem::path found_on_path(const std::string& command) {
   std::stringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
     auto file = std::filesystem::path(folder) / command;
-    if (::access(file.c_str(), X_OK) == 0) return file;
+    std::error_code problem;
+    if (std::filesystem::is_regular_file(file, problem) && ::access(file.c_str(), X_OK) == 0)
+      return file;
   }
   return {};
 }
@@ -59,7 +61,7 @@ pid_t start_confined(const std::filesystem::path& file, char* const* arguments,
                      char* const* environment, const Descriptor& input, const Descriptor& output) {
   Reach reach;
   reach.programs = {file, "/lib64/ld-linux-x86-64.so.2", "/lib/ld-linux-aarch64.so.1"};
-  reach.readable = {"/lib", "/usr/lib", "/etc/ld.so.cache"};
+  reach.readable = {"/lib", "/lib64", "/usr/lib", "/usr/local/lib", "/etc/ld.so.cache"};
   const Confinement confinement(reach);
   const pid_t child = ::fork();
   if (child != 0) return child;

@@ -95,6 +95,8 @@ Ingested decode_apart(const std::filesystem::path& file, const ProductCatalogue&
     Ingested ingested{{}, std::move(told.warnings), told.published};
     for (ToldGranule& one : told.granules) {
       expect_canonical(one.granule.grid);
+      if (one.granule.status > DataStatus::observation || one.granule.variables.empty())
+        throw Error(ErrorKind::invalid_input, "its reader told of a granule that is none");
       ingested.granules.push_back({std::move(one.granule), content_file(staging_folder, one.name)});
     }
     if (ingested.granules.empty())

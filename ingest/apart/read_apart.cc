@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <new>
+#include <sstream>
 
 #include "fields/base/error.h"
 #include "fields/base/given_file.h"
@@ -56,7 +57,8 @@ Error error_of(const Apart& apart, const std::filesystem::path& file, const Allo
       return {ErrorKind::invalid_input,
               reading + " took " + library_of(file) + " more than " +
                   std::to_string(allowance.processor.count()) +
-                  " s of processor time: the file is damaged; fetch it again"};
+                  " s of processor time, or ten times that by the clock: the file is damaged "
+                  "(fetch it again), or its disk does not answer"};
     case Apart::End::out_of_memory:
       return {ErrorKind::invalid_input,
               reading + " used more than " + gigabytes(allowance.memory_bytes) +
@@ -82,10 +84,14 @@ Allowance allowance_for(const std::filesystem::path& file) {
   std::error_code problem;
   const std::uintmax_t bytes = std::filesystem::file_size(file, problem);
   if (!problem) allowance.processor += std::chrono::seconds(bytes >> 20U);
-  allowance.reach.readable = {file, "/usr/share", "/usr/lib/locale", "/etc/localtime"};
+  allowance.reach.readable = {file, "/usr/share", "/usr/local/share", "/usr/lib/locale",
+                              "/etc/localtime"};
   for (const char* const name :
        {"ECCODES_DEFINITION_PATH", "ECCODES_SAMPLES_PATH", "UDUNITS2_XML_PATH"}) {
-    if (const char* const folder = std::getenv(name)) allowance.reach.readable.emplace_back(folder);
+    const char* const list = std::getenv(name);
+    std::stringstream folders(list == nullptr ? "" : list);
+    for (std::string folder; std::getline(folders, folder, ':');)
+      allowance.reach.readable.emplace_back(folder);
   }
   return allowance;
 }

@@ -1,5 +1,6 @@
 #include "ingest/apart/read_forecast_apart.h"
 
+#include "fields/base/error.h"
 #include "ingest/apart/packed.h"
 #include "ingest/apart/read_apart.h"
 
@@ -68,11 +69,46 @@ void serialize(Archive& archive, Snapshot& forecast) {
 }
 
 namespace ingest {
+namespace {
+
+/// What `read_forecast` promises, whoever took its process over: each list is empty or whole.
+void expect_whole(const Snapshot& forecast) {
+  const std::size_t times = forecast.time.size(), values = times * forecast.depth_m.size();
+  bool is_whole = times > 0 && !forecast.columns.empty() && forecast.members > 0;
+  const auto holds = [&](std::size_t size, std::size_t each) {
+    is_whole = is_whole && (size == 0 || size == each);
+  };
+  for (const ForecastColumn& column : forecast.columns) {
+    holds(column.current_m_s.size(), values);
+    holds(column.current_sigma_m_s.size(), column.current_m_s.size());
+    holds(column.current_status.size(), column.current_m_s.size());
+    holds(column.member_m_s.size(), (forecast.members - 1) * values);
+    holds(column.wind_m_s.size(), times);
+    holds(column.wind_source.size(), times);
+    holds(column.wind_member_m_s.size(), (forecast.members - 1) * times);
+    holds(column.wind_member_number.size(), forecast.members - 1);
+    holds(column.sea.size(), times);
+    holds(column.sea_source.size(), times);
+    holds(column.height_spread.size(), times);
+    holds(column.sea_level.level_m.size(), times);
+    holds(column.sea_level.sigma_m.size(), times);
+    holds(column.sea_level.source.size(), times);
+  }
+  if (!is_whole)
+    throw Error(ErrorKind::invalid_input, "its reader told of another forecast than there is");
+}
+
+}  // namespace
 
 Snapshot read_forecast_apart(const std::filesystem::path& file) {
   if (!is_alone()) return read_forecast(file);
-  return unpacked<Snapshot>(read_apart(
-      file, allowance_for(file), [&](const TellShare&) { return packed(read_forecast(file)); }));
+  const std::string bytes = read_apart(
+      file, allowance_for(file), [&](const TellShare&) { return packed(read_forecast(file)); });
+  return with_context(file.string(), [&] {
+    auto forecast = unpacked<Snapshot>(bytes);
+    expect_whole(forecast);
+    return forecast;
+  });
 }
 
 }  // namespace ingest

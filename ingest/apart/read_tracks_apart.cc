@@ -1,5 +1,6 @@
 #include "ingest/apart/read_tracks_apart.h"
 
+#include "fields/base/error.h"
 #include "ingest/apart/packed.h"
 #include "ingest/apart/read_apart.h"
 
@@ -31,11 +32,35 @@ void serialize(Archive& archive, TrajectoryFile& tracks) {
   archive(names, epoch, t_s, variables, tables, attributes);
 }
 
+namespace {
+
+/// What `read_trajectories` promises, whoever took its process over.
+void expect_whole(const TrajectoryFile& tracks) {
+  const std::size_t rows = tracks.names.size() * tracks.t_s.size();
+  bool is_whole = true;
+  for (const TrajectoryFile::Variable& one : tracks.variables)
+    is_whole = is_whole && one.per > 0 && one.values.size() / one.per == rows &&
+               one.values.size() % one.per == 0;
+  for (const TrajectoryTable& table : tracks.tables) {
+    for (const auto& column : table.columns)
+      is_whole = is_whole && column.values.size() == table.rows();
+    for (const auto& text : table.texts) is_whole = is_whole && text.values.size() == table.rows();
+  }
+  if (!is_whole)
+    throw Error(ErrorKind::invalid_input, "its reader told of other rows than there are");
+}
+
+}  // namespace
+
 TrajectoryFile read_tracks_apart(const std::filesystem::path& file) {
   if (!is_alone()) return read_trajectories(file);
-  return unpacked<TrajectoryFile>(read_apart(file, allowance_for(file), [&](const TellShare&) {
-    return packed(read_trajectories(file));
-  }));
+  const std::string bytes = read_apart(
+      file, allowance_for(file), [&](const TellShare&) { return packed(read_trajectories(file)); });
+  return with_context(file.string(), [&] {
+    auto tracks = unpacked<TrajectoryFile>(bytes);
+    expect_whole(tracks);
+    return tracks;
+  });
 }
 
 }  // namespace slackwater::ingest

@@ -56,6 +56,18 @@ TEST_F(BadFile, TruncatedAtAnyPlaceIsRefused) {
   }
 }
 
+// Whole, to its last byte, though it is longer than any buffer.
+TEST_F(BadFile, ALongListOfRefusalsIsToldWhole) {
+  const auto folder = store_.file("many");
+  std::filesystem::create_directory(folder);
+  for (int i = 0; i < 60; ++i)
+    write_bytes(folder / (std::string(100, 'n') + std::to_string(i) + ".nc"), "nothing");
+  const ProgramResult result = store_.run({"ingest", "--json", folder.string()});
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_GT(result.out.size(), 16'384U);
+  EXPECT_EQ(nlohmann::json::parse(result.out)["failed"].size(), 60U);
+}
+
 TEST_F(BadFile, EmptyIsRefused) {
   const auto file = store_.file("empty.nc");
   write_bytes(file, "");

@@ -113,11 +113,9 @@ void save(const WatchedRun& watched, const CheckpointOrigin& origin,
 }
 
 /// Puts a run where a checkpoint stands, with what was logged until then.
-void take_up(const std::filesystem::path& file, const CheckpointOrigin& origin,
-             const WatchedRun& watched) {
+void take_up(const std::filesystem::path& file, StandingRun standing, const WatchedRun& watched) {
   twin::Run& run = watched.run;
   ScenarioResult& result = watched.so_far;
-  StandingRun standing = read_checkpoint(file, origin);
   twin::Run::Checkpoint& checkpoint = standing.checkpoint;
   // Who joined since the last row has none yet.
   const std::size_t began_with = run.agents().size();
@@ -270,6 +268,10 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   twin::ReadyRun ready = twin::set_up(scenario, water.surround);
   ScenarioResult result = begun(water, ready);
   twin::TrafficWatch watch = watch_of(scenario, ready);
+  const CheckpointOrigin origin = checkpoint_origin(scenario, water, ready.vessels);
+  // Before the run, which may have threads: what reads a stranger's file is a copy of this process.
+  std::optional<StandingRun> standing;
+  if (!choice.restore.empty()) standing = read_checkpoint(choice.restore, origin);
   twin::Run run(std::move(ready.agents), std::move(ready.states), settings_of(scenario, choice));
   const auto whole_steps = [&](double time_s) { return std::llround(time_s / scenario.step_s); };
   const auto steps = static_cast<std::uint64_t>(whole_steps(scenario.duration_s));
@@ -280,12 +282,11 @@ ScenarioResult run_scenario(const twin::Scenario& scenario, const ScenarioWater&
   const twin::NewcomerYard newcomer_yard(scenario, water.surround.data_folder,
                                          std::move(ready.vehicles), run.agents());
   WatchedRun watched{run, watch, result, scenario, newcomer_yard, water.surround.data_folder};
-  const CheckpointOrigin origin = checkpoint_origin(scenario, water, ready.vessels);
   const Recorder recorder{run, result.log, result.sensed};
-  if (choice.restore.empty())
-    recorder.record(0);
+  if (standing)
+    take_up(choice.restore, *std::move(standing), watched);
   else
-    take_up(choice.restore, origin, watched);
+    recorder.record(0);
 
   // At each barrier, in this order.
   twin::RunControl own_control(choice.real_time_factor);

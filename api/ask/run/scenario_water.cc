@@ -12,6 +12,7 @@
 #include "fields/geo/local_frame.h"
 #include "fields/site/site.h"
 #include "ingest/apart/read_forecast_apart.h"
+#include "ingest/cf/forecast/forecast_file.h"
 #include "twin/environment/made_up_field.h"
 
 namespace slackwater::api {
@@ -34,9 +35,16 @@ ScenarioWater made_up(const Scenario& scenario) {
   return water;
 }
 
+/// Of a file that somebody names.
 ScenarioWater of_file(const std::filesystem::path& file) {
   return water_of(std::make_shared<const Snapshot>(ingest::read_forecast_apart(file)),
                   sha256_of_file(file));
+}
+
+ScenarioWater of_store(const store::Store& store, const std::string& content_sha256) {
+  return water_of(
+      std::make_shared<const Snapshot>(ingest::read_forecast(store.proven_content(content_sha256))),
+      content_sha256);
 }
 
 /// Cables, moorings and turbines of the site about the scenario's origin, and the curve they share:
@@ -109,7 +117,7 @@ ScenarioWater water_of(const Scenario& scenario, const std::filesystem::path& st
       const InForce in_force = forecast_in_force(store, {site.id, wanted.day, scenario.start});
       for (const std::string& damage : in_force.passed_over)
         log_event(LogLevel::warning, "forecast passed over", {{"problem", damage}});
-      water = of_file(store.proven_content(in_force.row.content_sha256));
+      water = of_store(store, in_force.row.content_sha256);
       add_farm(scenario, site, water);
     }
   }
@@ -139,7 +147,7 @@ ScenarioWater water_of_log(const Scenario& scenario, const std::string& forecast
                       ") is not in the store " + store_folder.string() +
                       "; give the store with --store, or the file with --forecast");
     }
-    water = of_file(store.proven_content(forecast_sha256));
+    water = of_store(store, forecast_sha256);
   }
   if (const auto* wanted = std::get_if<ForecastWater>(&scenario.water);
       wanted != nullptr && !wanted->site.empty())

@@ -56,8 +56,9 @@ std::FILE* bare_stderr() {
 
 void print_plain_text() {
   static_cast<void>(bare_stderr());  // known before it is another one
-  static Door out{STDOUT_FILENO, {}};
-  static Door problems{STDERR_FILENO, {}};
+  // Never destroyed: what waits in the buffers is written as the process ends.
+  static Door& out = *new Door{STDOUT_FILENO, {}};
+  static Door& problems = *new Door{STDERR_FILENO, {}};
   const int buffering = ::isatty(STDOUT_FILENO) == 1 ? _IOLBF : _IOFBF;
   // In the GNU C library both are variables that may be set ("Standard Streams" of its manual).
   if (std::FILE* stream = plain_stream(out, buffering)) stdout = stream;

@@ -26,7 +26,7 @@ struct Request {
   std::string protocols;      ///< Sec-WebSocket-Protocol: those that are offered, as sent
   std::string body;
   bool is_trusted = false;  ///< from loopback, or carries the token
-  std::stop_token stop{};   ///< asked for where nobody waits for the answer any more
+  std::stop_token stop{};   ///< asked for where nobody waits any more: long work may ask
 };
 
 struct Response {

@@ -32,6 +32,13 @@ namespace {
 // Of Landlock's third version, which headers of Linux 6.1 do not know yet.
 constexpr std::uint64_t truncate_right = 1U << 14U;
 
+// Of its fourth (TCP: bind, connect) and sixth (sockets without a place, signals to others).
+constexpr std::uint64_t of_network = 3, of_others = 3;
+/// What is taken away, as versions up to the sixth have it.
+struct Handled {
+  std::uint64_t files = 0, network = 0, others = 0;
+};
+
 constexpr std::uint64_t of_reading = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
 constexpr std::uint64_t of_files = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE |
                                    LANDLOCK_ACCESS_FS_EXECUTE | truncate_right;
@@ -43,7 +50,7 @@ constexpr std::array free_calls{
     SCMP_SYS(writev), SCMP_SYS(pwrite64), SCMP_SYS(pwritev), SCMP_SYS(lseek), SCMP_SYS(close),
     SCMP_SYS(fsync), SCMP_SYS(fdatasync), SCMP_SYS(ftruncate), SCMP_SYS(fallocate),
     SCMP_SYS(fadvise64), SCMP_SYS(sync_file_range), SCMP_SYS(dup), SCMP_SYS(poll), SCMP_SYS(ppoll),
-    SCMP_SYS(fcntl), SCMP_SYS(flock), SCMP_SYS(getdents64),
+    SCMP_SYS(flock), SCMP_SYS(getdents64),
     // names, which Landlock bounds
     SCMP_SYS(open), SCMP_SYS(openat), SCMP_SYS(fstat), SCMP_SYS(stat), SCMP_SYS(lstat),
     SCMP_SYS(newfstatat), SCMP_SYS(statx), SCMP_SYS(statfs), SCMP_SYS(fstatfs), SCMP_SYS(access),
@@ -117,6 +124,10 @@ std::vector<sock_filter> calls_for(const Reach& reach) {
   // Threads, no processes; the newer call for both holds its flags where a filter cannot see them.
   allow(filter, SCMP_SYS(clone), {has(0, CLONE_THREAD, CLONE_THREAD)});
   expect_taken(::seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0));
+  // Flags and locks of its files, not who is signalled of them.
+  for (const int of : {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL, F_GETLK, F_SETLK,
+                       F_SETLKW, F_OFD_GETLK, F_OFD_SETLK, F_OFD_SETLKW})
+    allow(filter, SCMP_SYS(fcntl), {is(1, static_cast<scmp_datum_t>(of))});
   // Limits are read, not set.
   allow(filter, SCMP_SYS(prlimit64), {is(0, 0), is(2, 0)});
   // Signals go to itself.
@@ -148,22 +159,25 @@ void let_reach(const Descriptor& rules, const std::filesystem::path& path, std::
   landlock_path_beneath_attr beneath{};
   beneath.allowed_access = S_ISDIR(about.st_mode) ? rights : rights & of_files;
   beneath.parent_fd = file.value();
-  if (::syscall(SYS_landlock_add_rule, rules.value(), LANDLOCK_RULE_PATH_BENEATH, &beneath, 0) != 0)
-    expect_taken(-errno);
+  // A file without a place (of memory alone) cannot be within reach.
+  const bool is_added =
+      ::syscall(SYS_landlock_add_rule, rules.value(), LANDLOCK_RULE_PATH_BENEATH, &beneath, 0) == 0;
+  if (!is_added && errno != EBADFD) expect_taken(-errno);
 }
 
 Descriptor files_for(const Reach& reach) {
   const long version = landlock_version();
   if (version < 1) return Descriptor();
-  landlock_ruleset_attr all{};
-  all.handled_access_fs = rights_of(version);
-  Descriptor rules(static_cast<int>(::syscall(SYS_landlock_create_ruleset, &all, sizeof all, 0)));
+  const Handled all{rights_of(version), version >= 4 ? of_network : 0,
+                    version >= 6 ? of_others : 0};
+  const std::size_t known_bytes = version >= 6 ? 24 : version >= 4 ? 16 : 8;
+  Descriptor rules(static_cast<int>(::syscall(SYS_landlock_create_ruleset, &all, known_bytes, 0)));
   if (!rules.is_open()) expect_taken(-errno);
   const std::uint64_t of_writing =
       (of_reading | LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_MAKE_REG |
        LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_REMOVE_FILE |
        LANDLOCK_ACCESS_FS_REMOVE_DIR | truncate_right) &
-      all.handled_access_fs;
+      all.files;
   for (const auto& path : reach.readable) let_reach(rules, path, of_reading);
   for (const auto& path : reach.writable) let_reach(rules, path, of_writing);
   for (const auto& path : reach.programs)

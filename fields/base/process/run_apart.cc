@@ -20,6 +20,7 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <thread>
 
 #include "fields/base/error.h"
 #include "fields/base/process/pipe.h"
@@ -36,6 +37,8 @@ constexpr bool is_sanitized = true;  // its shadow takes terabytes of address sp
 constexpr bool is_sanitized = false;
 #endif
 
+constexpr int not_confined = 79;  ///< how a child ends that could not be bound
+
 constexpr std::size_t head_bytes = 1 + sizeof(std::uint64_t);
 
 bool write_all(int descriptor, const char* data, std::size_t size) {
@@ -51,10 +54,10 @@ bool write_all(int descriptor, const char* data, std::size_t size) {
 
 bool send(int descriptor, char kind, std::string_view bytes) {
   const std::uint64_t size = bytes.size();
-  std::string frame(1, kind);
-  frame.append(reinterpret_cast<const char*>(&size), sizeof size);
-  frame += bytes;
-  return write_all(descriptor, frame.data(), frame.size());
+  std::string head(1, kind);
+  head.append(reinterpret_cast<const char*>(&size), sizeof size);
+  return write_all(descriptor, head.data(), head.size()) &&
+         write_all(descriptor, bytes.data(), bytes.size());
 }
 
 void limit(decltype(RLIMIT_CPU) what, rlim_t soft, rlim_t hard) {
@@ -68,10 +71,17 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t soft, rlim_t hard) {
 /// No file, lock or connection of the parent can be reached: only the pipe is left.
 void close_all_but(int descriptor) {
   const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-  if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
+  if (nothing >= 0) {
+    ::dup2(nothing, STDIN_FILENO);
+    ::dup2(nothing, STDOUT_FILENO);
+    if (!is_sanitized) ::dup2(nothing, STDERR_FILENO);  // whose words are for us
+  }
   const auto kept = static_cast<unsigned>(descriptor);
-  if (kept > 3) ::syscall(SYS_close_range, 3U, kept - 1, 0U);
-  ::syscall(SYS_close_range, kept + 1, ~0U, 0U);
+  const bool is_done = (kept <= 3 || ::syscall(SYS_close_range, 3U, kept - 1, 0U) == 0) &&
+                       ::syscall(SYS_close_range, kept + 1, ~0U, 0U) == 0;
+  if (is_done) return;
+  for (int each = 3; each < static_cast<int>(::sysconf(_SC_OPEN_MAX)); ++each)  // before Linux 5.9
+    if (each != descriptor) ::close(each);
 }
 
 /// In the child, before the work.
@@ -86,13 +96,15 @@ void bind_child(pid_t parent, int descriptor, const Allowance& allowance) {
   if (!is_sanitized) limit(RLIMIT_AS, allowance.memory_bytes, allowance.memory_bytes);
   close_all_but(descriptor);
   const Confinement confinement(allowance.reach);
-  if (!confinement.apply()) ::_exit(1);
+  if (!confinement.apply()) ::_exit(not_confined);
 }
 
-[[noreturn]] void run_child(int descriptor,
+[[noreturn]] void run_child(pid_t parent, int descriptor, const Allowance& allowance,
                             const std::function<std::string(const TellShare&)>& work) {
-  bool is_told = false;
+  bool is_told = false, is_bound = false;
   try {
+    bind_child(parent, descriptor, allowance);
+    is_bound = true;
     int last_permille = -1;
     const std::string answer = work([&](double share) {
       const int permille = static_cast<int>(1000 * share);
@@ -106,7 +118,7 @@ void bind_child(pid_t parent, int descriptor, const Allowance& allowance) {
   }
   std::fflush(stdout);
   std::fflush(stderr);
-  ::_exit(is_told ? 0 : 1);
+  ::_exit(is_told ? 0 : is_bound ? 1 : not_confined);
 }
 
 /// What the child told so far.
@@ -122,13 +134,15 @@ struct Told {
       std::uint64_t size = 0;
       std::memcpy(&size, bytes.data() + at + 1, sizeof size);
       if (bytes.size() - at - head_bytes < size) break;
-      std::string content = bytes.substr(at + head_bytes, size);
       if (bytes[at] == 'a') {
-        answer = std::move(content);
+        bytes.erase(0, at + head_bytes);
+        answer = std::move(bytes);
         is_answered = true;
-      } else if (on_share) {
-        on_share(std::strtod(content.c_str(), nullptr) / 1000);
+        bytes.clear();
+        return;
       }
+      if (on_share)
+        on_share(std::strtod(bytes.substr(at + head_bytes, size).c_str(), nullptr) / 1000);
       at += head_bytes + size;
     }
     bytes.erase(0, at);
@@ -155,6 +169,20 @@ class Child {
     process_ = -1;
     return status;
   }
+  /// The same of one that has nothing more to say: it is ended where it does not end.
+  int wait_a_while() noexcept {
+    int status = 0;
+    for (int turn = 0; turn < 1000; ++turn) {
+      const pid_t ended = ::waitpid(process_, &status, WNOHANG);
+      if (ended == process_) {
+        process_ = -1;
+        return status;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(turn < 100 ? 1 : 10));
+    }
+    end();
+    return wait();
+  }
   [[nodiscard]] pid_t process() const noexcept { return process_; }
 
  private:
@@ -175,6 +203,7 @@ Apart::End listen(const Child& child, int descriptor, const Allowance& allowance
   using Clock = std::chrono::steady_clock;
   const auto latest = Clock::now() + 10 * allowance.processor;
   constexpr int look_every_ms = 50;
+  auto look_at = Clock::now();
   std::array<char, 65536> buffer{};
   while (true) {
     pollfd wanted{descriptor, POLLIN, 0};
@@ -183,8 +212,9 @@ Apart::End listen(const Child& child, int descriptor, const Allowance& allowance
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) return Apart::End::answered;
       told.take({buffer.data(), static_cast<std::size_t>(count)}, on_share);
-      if (told.bytes.size() <= allowance.memory_bytes) continue;
+      if (Clock::now() < look_at) continue;
     }
+    look_at = Clock::now() + std::chrono::milliseconds(look_every_ms);
     const bool is_too_large = bytes_in_use(child.process()) > allowance.memory_bytes ||
                               told.bytes.size() > allowance.memory_bytes;
     if (!is_too_large && Clock::now() < latest) continue;
@@ -207,13 +237,14 @@ Apart::End end_of(int status) {
 }
 
 std::ptrdiff_t threads_now() {
-  const std::filesystem::directory_iterator threads("/proc/self/task");
-  return std::distance(begin(threads), end(threads));
+  std::error_code problem;
+  const std::filesystem::directory_iterator threads("/proc/self/task", problem);
+  return problem ? 1 : std::distance(begin(threads), end(threads));
 }
 
 /// Libraries may begin threads as they are loaded (OpenBLAS: one for each further core), which wait
-/// for work of ours and hold no lock until then.
-const std::ptrdiff_t threads_of_libraries = threads_now();
+/// for work of ours and hold no lock until then. It ends them at a fork.
+std::ptrdiff_t threads_of_libraries = threads_now();
 
 }  // namespace
 
@@ -234,15 +265,18 @@ Apart run_apart(const Allowance& allowance,
   }
   if (child.process() == 0) {
     pipe.close_reading();
-    bind_child(parent, pipe.writing(), allowance);
-    run_child(pipe.writing(), work);
+    run_child(parent, pipe.writing(), allowance, work);
   }
   pipe.close_writing();
   if (meanwhile) meanwhile();
   Apart apart;
   Told told;
   apart.end = listen(child, pipe.reading(), allowance, told, on_share);
-  const int status = child.wait();
+  const int status = child.wait_a_while();
+  threads_of_libraries = std::min(threads_of_libraries, threads_now());
+  if (WIFEXITED(status) && WEXITSTATUS(status) == not_confined && !told.is_answered)
+    throw Error(ErrorKind::unavailable,
+                "cannot confine a process that is to read a file; try again, or free some memory");
   if (WIFSIGNALED(status)) apart.signal = WTERMSIG(status);
   if (apart.end == Apart::End::answered && !told.is_answered) apart.end = end_of(status);
   if (apart.end == Apart::End::answered) apart.answer = std::move(told.answer);

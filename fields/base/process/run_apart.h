@@ -42,7 +42,7 @@ using TellShare = std::function<void(double)>;
 /// Runs `work` in a child of this process, made for it and confined to its reach, and returns what
 /// it returned: whatever the libraries in it do to their memory, this process lives on, and whoever
 /// takes them over has no network, no other program and no file but these. The child dies with this
-/// process. No descriptor of ours is open in it.
+/// process. No descriptor of ours is open in it, but stderr under a sanitizer.
 ///
 /// The child is a copy of this process: no other thread may be alive (`is_alone`). `work` should
 /// let no exception out; one that leaves it counts as a crash. Nothing that the child leaves in

@@ -300,6 +300,20 @@ TEST_F(DamagedStore, ACatalogueThatSaysOtherThingsIsNamedAndNeverOursToMend) {
   }
 }
 
+// A file of a stranger names its station so; the store that took it is not damaged by that.
+TEST_F(DamagedStore, ALongNameOfOtherLettersIsNoDamage) {
+  ASSERT_EQ(run_sql(folder_,
+                    "DROP TRIGGER granule_is_immutable; UPDATE granule SET station = "
+                    "CAST(replace(hex(zeroblob(2000)), '00', x'ff') AS TEXT)"),
+            "");
+  EXPECT_EQ(open().find_granules({}).at(0).station.size(), 6000U);
+  ASSERT_EQ(run_sql(folder_,
+                    "CREATE TRIGGER granule_is_immutable BEFORE UPDATE ON granule\n"
+                    "BEGIN SELECT RAISE(ABORT, 'a granule row is never changed'); END"),
+            "");
+  EXPECT_TRUE(check_store(folder_, false).sound);
+}
+
 TEST_F(DamagedStore, TextOfOtherLettersIsReadWithoutThem) {
   ASSERT_EQ(run_sql(folder_,
                     "DROP TRIGGER forecast_is_immutable; "

@@ -254,7 +254,7 @@ TEST(ReadAis, AFileWithoutAisSaysWhatItExpected) {
   EXPECT_TRUE(
       contains(problem_of(write_text(folder / "empty", ""), ErrorKind::invalid_input), "empty"));
   EXPECT_TRUE(contains(problem_of(folder / "absent", ErrorKind::not_found), "absent"));
-  EXPECT_TRUE(contains(problem_of(folder.path(), ErrorKind::not_found), "expected a file"));
+  EXPECT_TRUE(contains(problem_of(folder.path(), ErrorKind::invalid_input), "a file was expected"));
 }
 
 TEST(ReadAis, ALineLongerThanAnySentenceDoesNotFillTheMemoryOrHideTheNext) {

@@ -111,7 +111,23 @@ TEST_F(Confined, ReachesNoOtherProcess) {
   });
 }
 
+// The kernel would send it on, whoever is meant.
+TEST_F(Confined, HasNobodySignalledOfItsFiles) {
+  const pid_t ours = ::getpid();
+  expect_lost("an owner", [=] {
+    const Descriptor file(::open("/dev/null", O_RDONLY));
+    return ::fcntl(file.is_open() ? file.value() : STDIN_FILENO, F_SETOWN, ours) == 0;
+  });
+}
+
 TEST_F(Confined, HasNoDescriptorsOfOurs) {
+  const Descriptor out(::dup(STDOUT_FILENO));
+  const Descriptor file(::open((folder / "out").c_str(), O_RDWR | O_CREAT, 0600));
+  ASSERT_GE(::dup2(file.value(), STDOUT_FILENO), 0);
+  const bool is_written = does([] { return ::write(STDOUT_FILENO, "escape", 6) == 6; });
+  ::dup2(out.value(), STDOUT_FILENO);
+  EXPECT_TRUE(is_written) << "to nobody";
+  EXPECT_EQ(text_of(folder / "out"), "");
   const Descriptor secret(::open((folder / "secret").c_str(), O_RDONLY));
   expect_lost("an open file", [&] {
     char letter = 0;

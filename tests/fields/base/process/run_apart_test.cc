@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <fstream>
 #include <new>
@@ -181,6 +182,46 @@ std::string take_memory(const TellShare&) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return std::to_string(all.size());
+}
+
+// One that says a word now and then is as late as one that says nothing.
+TEST(RunApart, WhoNeverStopsTellingIsEndedByTheClockToo) {
+  Allowance allowance;
+  allowance.processor = seconds(0);
+  const Apart apart = run(
+      [](const TellShare& tell) {
+        for (int i = 0; i < 600; ++i) {
+          tell(0.001 * i);
+          std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        }
+        return std::string();
+      },
+      allowance);
+  EXPECT_EQ(apart.end, Apart::End::out_of_time);
+}
+
+TEST(RunApart, WhoHangsUpAndStaysIsEnded) {
+  const auto begun = std::chrono::steady_clock::now();
+  const Apart apart = run([](const TellShare&) {
+    for (int each = 3; each < 100; ++each) ::close(each);
+    ::sleep(600);
+    return std::string();
+  });
+  EXPECT_EQ(apart.end, Apart::End::killed);
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, seconds(120));
+}
+
+TEST(RunApart, IsAloneAgainOnceAThreadHasEnded) {
+  EXPECT_EQ(run([](const TellShare&) { return std::string("x"); }).answer, "x");
+  EXPECT_TRUE(is_alone());
+  std::atomic<bool> ends = false;
+  std::thread thread([&] {
+    while (!ends) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  });
+  EXPECT_FALSE(is_alone());
+  ends = true;
+  thread.join();
+  EXPECT_TRUE(is_alone());
 }
 
 TEST(RunApart, WhoeverUsesMoreMemoryThanItMayIsEnded) {
