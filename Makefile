@@ -51,7 +51,8 @@ soak: test-packages venv
 	ctest --preset release -L '^soak$$' -E TurnACameraByHand  # below, with more of them
 	ctest --preset release -L bench-answers
 	SLACKWATER_REQUESTS=300000 ctest --preset release -V -R 'ReadDoubtfulRequests'
-	ctest --preset release -R 'KeptAnswersOfTheDesk|RunApart'  # memory, that sanitizers hide
+	# Memory and crashes, that sanitizers hide.
+	ctest --preset release -R 'KeptAnswersOfTheDesk|RunApart|Confined|HostileFiles|HostileLog'
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
 	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 SLACKWATER_WINDS=50 ctest --preset release -V \
 	  -R 'Probabilities|MemberSpread|TwinTargets|BlendTwin|FitProfile|RealPairs'
