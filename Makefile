@@ -44,7 +44,8 @@ bench: test-packages
 	tests/bench/run build/release
 
 # Long runs: 200 kills instead of 10, 210 days of bands, 500 twins, a vehicle behind a lossy link,
-# 10 000 readers that come and go, ten minutes of serving, half an hour of fuzzing.
+# 10 000 readers that come and go, ten minutes of serving, attacks on the server, damaged files,
+# half an hour of fuzzing.
 soak: test-packages venv
 	cmake --preset release
 	cmake --build --preset release -j$(JOBS)
@@ -71,6 +72,8 @@ soak: test-packages venv
 	SLACKWATER_MORE_HANDS=1 ctest --preset release -V -R 'TurnACameraByHand'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store
+	tests/soak/attack build/release/api/slackwater build/soak-demo/store || [ $$? -eq 77 ]
+	tests/soak/mutated-files build/release/api/slackwater build/soak-demo/store 500
 	tests/soak/morning build/release/api/slackwater build/soak-demo/store
 	tests/soak/desk build/release/api/slackwater build/soak-demo/store build/node
 	tests/soak/lit_scenes build/release/tests/slackwater_made_up_lit_scenes build/venv-mitsuba \

@@ -1,5 +1,5 @@
-// attackers.mjs KIND URLS SCALE: one kind of attack on the server of URLS (JSON, see attack.mjs), by
-// SCALE times as many clients as it has by itself, until SIGTERM. Prints as JSON how many
+// attackers.mjs KIND URLS SCALE: one kind of attack on the server of URLS (JSON, see attack.mjs),
+// by SCALE times as many clients as it has by itself, until SIGTERM. Prints as JSON how many
 // connections it opened, the most at once, and what it was answered.
 import { connect } from "node:net";
 
@@ -13,6 +13,11 @@ const request = (url) => {
   const { pathname, search } = new URL(url);
   return `GET ${pathname}${search} HTTP/1.1\r\nHost: ${hostname}\r\n\r\n`;
 };
+// From this machine's usual address, as behind a proxy that says nothing about its clients, or each
+// time from another one.
+const many = process.env.SLACKWATER_ATTACK_FROM === "many";
+const octet = () => 1 + Math.floor(Math.random() * 254);
+const from = () => (many ? `127.${octet()}.${octet()}.${octet()}` : undefined);
 const HALF = `GET /collections HTTP/1.1\r\nHost: ${hostname}\r\nX-Slow: `;
 
 const tally = { opened: 0, open: 0, most: 0, bytes: 0, statuses: {} };
@@ -23,7 +28,7 @@ function open({ slowly = false } = {}) {
   const read = slowly
     ? { buffer: Buffer.alloc(4096), callback: (n, bytes) => (note(bytes, n), false) }
     : { buffer: Buffer.alloc(65536), callback: (n, bytes) => (note(bytes, n), true) };
-  const socket = connect({ host: hostname, port, onread: read });
+  const socket = connect({ host: hostname, port, localAddress: from(), onread: read });
   socket.setNoDelay(true);
   let is_open = false;
   function note(bytes, n) {
@@ -137,11 +142,14 @@ process.on("SIGTERM", () => {
 const [count, life] = kinds[kind];
 const clients = Math.ceil(count * Number(scale));
 for (let i = 0; i < clients; i += 1) {
-  setTimeout(async () => {
-    for (;;) {
-      await life();
-      await sleep(between(5, 15)); // who is refused comes again, but not in a circle without a rest
-    }
-  }, between(0, 500));
+  setTimeout(
+    async () => {
+      for (;;) {
+        await life();
+        await sleep(between(5, 15)); // who is refused comes again, but not without a rest
+      }
+    },
+    between(0, 500),
+  );
 }
 setInterval(() => {}, 1000); // `none` waits too

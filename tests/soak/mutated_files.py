@@ -3,8 +3,10 @@ that reads its kind, with a time limit: what became of the commands, and of the 
 
     mutated_files.py PROGRAM STORE WORK MUTANTS [SEED [FORMAT]]
 
-Prints a row a format. SLACKWATER_KEEP names a folder for files that showed something. Exits 1 where a command was killed by a signal, hung, said that the fault is
-ours (exit 1), printed control characters, or left its store damaged.
+Prints a row a format: how many seeds are good as they are, then of mutants how many ended with
+which exit code, crashed a reader that was contained, and so on. SLACKWATER_KEEP names a folder for
+files that showed something. Exits 1 where a command was killed by a signal, hung, said that the
+fault is ours (exit 1), printed control characters, or left its store damaged.
 """
 
 import collections
@@ -21,9 +23,9 @@ LIMIT_S = 90  # a reader of a small file has a minute, and its store seconds
 FAULT_OF_OURS = 1
 
 SCENARIO = """
-name: A minute
+name: Two minutes
 seed: 7
-duration: 1min
+duration: 2min
 step_s: 0.1
 water:
   {water}
@@ -105,11 +107,14 @@ def formats_of(program, store, work):
 
     def run(*arguments):
         subprocess.run([program, "--store", store, *map(str, arguments)], check=True,
-                       stdout=subprocess.DEVNULL)
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
     scenario, log, bag = work / "seed.yaml", work / "seed.nc", work / "seed.mcap"
+    checkpoint = work / "seed.checkpoint"
     scenario.write_text(SCENARIO.format(water=MADE_UP))
     run("simulate", scenario, "--out", log)
+    run("simulate", scenario, "--checkpoint", checkpoint, "--checkpoint-at", "1min", "--out",
+        work / "begun.nc")
     run("replay", log, "--record", bag)
     issued = [
         path.read_bytes()
@@ -126,16 +131,18 @@ def formats_of(program, store, work):
         return ["simulate", there, "--out", file.with_suffix(".log.nc")]
 
     def play(file):
-        return ["live", scenario, "--real-time-factor", "0", "--play-commands", file,
-                "--play-traffic", file]
+        return ["live", scenario, "--real-time-factor", "0", "--play-traffic", file]
 
-    netcdf_4 = corpus("netcdf", "*.nc4.nc")
+    def go_on(file):
+        return ["simulate", scenario, "--restore", file, "--out", file.with_suffix(".nc")]
+
     return [
-        Format("NetCDF, classic", ".nc", corpus("netcdf", "*.c*.nc"), ingest),
-        Format("NetCDF-4", ".nc", netcdf_4, ingest),
+        Format("NetCDF, classic", ".nc", corpus("netcdf", "*.c[ld]*.nc"), ingest),
+        Format("NetCDF-4", ".nc", corpus("netcdf", "*.nc4.nc"), ingest),
         Format("GRIB", ".grib", corpus("grib", "*.grib"), ingest),
         Format("forecast", ".nc", corpus("forecast_file", "*.nc") + 10 * issued, run_in),
         Format("log of a run", ".nc", [log.read_bytes()], lambda file: ["replay", file]),
+        Format("checkpoint", ".checkpoint", [checkpoint.read_bytes()], go_on),
         Format("MCAP", ".mcap", corpus("mcap", "*.mcap") + 5 * [bag.read_bytes()], play),
         Format("AIS", ".txt", corpus("ais", "seed_*"),
                lambda file: ["ais", file, "--site", "synthetic", "--at", "2025-03-09T12:00:00Z"]),
@@ -163,10 +170,19 @@ def tally_of(program, store, work, one, mutants, seed):
     folder.mkdir()
     tally = collections.Counter()
     examples = {}
-    for i in range(mutants):
+
+    def outcome(i, data):
         file = folder / f"{i}{one.suffix}"
-        file.write_bytes(mutant_of(rng, rng.choice(one.seeds)))
-        code, printed = outcome_of([program, "--store", own_store, *map(str, one.command(file))])
+        file.write_bytes(data)
+        command = [program, "--store", own_store, *map(str, one.command(file))]
+        return file, *outcome_of(command)
+
+    for i, seed_bytes in enumerate(sorted(set(one.seeds))):
+        _, code, _ = outcome(f"seed{i}", seed_bytes)
+        tally["seeds"] += 1
+        tally["good"] += code == 0
+    for i in range(mutants):
+        file, code, printed = outcome(i, mutant_of(rng, rng.choice(one.seeds)))
         tally[code] += 1
         tally["contained"] += b" crashed the " in printed
         tally["control"] += has_control_characters(printed)
@@ -192,7 +208,7 @@ def keep(file):
 def main(program, store, work, mutants, seed=2026, only=""):
     store, work, mutants = pathlib.Path(store), pathlib.Path(work), int(mutants)
     codes = [0, 2, 3, 4, 5, FAULT_OF_OURS]
-    columns = ["files", "seeds", *(f"exit {code}" for code in codes), "contained", "killed",
+    columns = ["seeds", "good", "mutants", *(f"exit {code}" for code in codes), "contained", "killed",
                "hung", "control", "damaged"]
     print(" " * 18 + "".join(f"{column:>10}" for column in columns))
     formats = [one for one in formats_of(program, store, work) if only in one.name]
@@ -203,8 +219,8 @@ def main(program, store, work, mutants, seed=2026, only=""):
         for one, (tally, examples) in zip(formats, tallies):
             killed = sum(n for code, n in tally.items() if str(code).startswith("signal"))
             bad = [killed, tally["hung"], tally["control"], tally["damaged"]]
-            row = [mutants, len(one.seeds), *(tally[code] for code in codes), tally["contained"],
-                   *bad]
+            row = [tally["seeds"], tally["good"], mutants, *(tally[code] for code in codes),
+                   tally["contained"], *bad]
             print(f"{one.name:18}" + "".join(f"{n:>10}" for n in row), flush=True)
             for what, (file, printed) in examples.items():
                 print(f"    {what}: {file.name}: {printed!r}")
