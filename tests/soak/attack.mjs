@@ -1,7 +1,8 @@
 // attack.mjs URL PID SECONDS SCALE: see `attack` beside it. The attackers are a process of their
-// own and nice; the innocent client is another and is not, so that on two cores what is measured is the
-// server and not a client that finds no core. All of them come from one address, as they do through
-// a proxy that says nothing about its clients; with SLACKWATER_ATTACK_FROM=many attackers do not.
+// own and nice; the innocent client is another and is not, so that on two cores what is measured is
+// the server and not a client that finds no core. All of them come from one address, as they do
+// through a proxy that says nothing about its clients; with SLACKWATER_ATTACK_FROM=many attackers
+// do not.
 import { spawn } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -14,7 +15,8 @@ const given = (name, otherwise) => Number(process.env[name] || otherwise);
 const LEAST_SERVED = given("SLACKWATER_LEAST_SERVED", 0.99);
 const MOST_P99_MS = given("SLACKWATER_MOST_P99_MS", 50);
 const MOST_AFTER_MS = given("SLACKWATER_MOST_AFTER_MS", 1000);
-const RESOLUTION = given("SLACKWATER_LARGEST_RESOLUTION", 165); // 165^2 x 73 hours: 1 987 425 values
+// 165^2 places x 73 hours: 1 987 425 values.
+const RESOLUTION = given("SLACKWATER_LARGEST_RESOLUTION", 165);
 const VERTICES = 740; // of a polygon, in 15 kB
 const NICENESS = "5";
 

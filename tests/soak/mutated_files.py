@@ -208,8 +208,8 @@ def keep(file):
 def main(program, store, work, mutants, seed=2026, only=""):
     store, work, mutants = pathlib.Path(store), pathlib.Path(work), int(mutants)
     codes = [0, 2, 3, 4, 5, FAULT_OF_OURS]
-    columns = ["seeds", "good", "mutants", *(f"exit {code}" for code in codes), "contained", "killed",
-               "hung", "control", "damaged"]
+    columns = ["seeds", "good", "mutants", *(f"exit {code}" for code in codes), "contained",
+               "killed", "hung", "control", "damaged"]
     print(" " * 18 + "".join(f"{column:>10}" for column in columns))
     formats = [one for one in formats_of(program, store, work) if only in one.name]
     has_failed = False
