@@ -124,7 +124,7 @@ async function row_of(kind, urls) {
   };
 }
 
-// Of connections: those that the client kept were renewed so often because the server closed them.
+// "renewed": how often the kept connection was opened anew, for the server closed it or was late.
 const HEADS = [
   ["new", 6],
   ["served", 9],
