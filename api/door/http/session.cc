@@ -157,6 +157,8 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   // --- handling ---
 
   void dispatch() {
+    // A crowd resets faster than its requests are read: nothing is begun for who is gone already.
+    if (is_reset()) return close();
     enter(State::handling, site_.limits.handler_time);
     begin_request_count();
     Arrival arrival = reader_.take();
