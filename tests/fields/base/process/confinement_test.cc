@@ -36,6 +36,9 @@ struct Confined : testing::Test {
     allowance.reach.readable = {folder / "given", folder / "not there"};
     allowance.reach.writable = {folder / "staging"};
   }
+  void SetUp() override {
+    if (!confinement_of_system().calls) GTEST_SKIP() << "this kernel filters no calls";
+  }
   /// What a deed gives in a confined process.
   bool does(const std::function<bool()>& deed) const {
     const Apart apart =
