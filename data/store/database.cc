@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "data/store/rows.h"
 #include "fields/base/check.h"
 #include "fields/base/encode/utf8.h"
 #include "fields/base/error.h"
@@ -166,7 +167,8 @@ std::string Statement::name(int column) const {
   const std::string found = text(column);
   const auto bytes = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
   if (bytes > longest_name_bytes)
-    refuse(column, std::to_string(bytes) + " bytes", "a name has at most 4096");
+    refuse(column, std::to_string(bytes) + " bytes",
+           formatted("a name has at most {}", longest_name_bytes));
   return found;
 }
 std::string Statement::checksum(int column) const {

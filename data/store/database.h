@@ -16,9 +16,6 @@ struct sqlite3_stmt;
 
 namespace slackwater::store {
 
-/// Of names that a catalogue holds: what lists, links and headers have in them.
-inline constexpr std::size_t longest_name_bytes = 4096;
-
 /// How errors speak of a database, and what they advise. The texts are literals.
 struct DatabaseWords {
   std::string_view name = "the catalogue";
@@ -65,7 +62,7 @@ class Statement {
   [[nodiscard]] double real(int column) const;
   /// Each byte that is no UTF-8 is U+FFFD.
   [[nodiscard]] std::string text(int column) const;
-  /// A text of at most `longest_name_bytes`.
+  /// A text of at most `longest_name_bytes` (rows.h).
   [[nodiscard]] std::string name(int column) const;
   /// A SHA-256, as the names of content files have it: 64 hexadecimal digits in lower case.
   [[nodiscard]] std::string checksum(int column) const;

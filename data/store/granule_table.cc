@@ -95,12 +95,7 @@ void insert_granule(Database& database, std::int64_t source, const GranuleRow& r
   expects(row.first_time.has_value() == row.last_time.has_value(),
           "a granule has both ends of its time or, static, neither");
   for (const std::string& name : {row.station, row.product_id, row.dataset_id})
-    if (name.size() > longest_name_bytes)
-      throw Error(
-          ErrorKind::invalid_input,
-          formatted("found a name of {} bytes in the file, expected at most {}; the file is "
-                    "damaged, fetch it again",
-                    name.size(), longest_name_bytes));
+    expects(name.size() <= longest_name_bytes, "who ingests has looked at the names");
   Statement insert = database.prepare(
       "INSERT INTO granule (source_id, content_sha256, content_bytes, contains_stokes, "
       "is_point_series, station, "

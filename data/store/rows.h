@@ -15,6 +15,9 @@
 
 namespace slackwater::store {
 
+/// Of names that a catalogue holds: what lists, links and headers have in them.
+inline constexpr std::size_t longest_name_bytes = 4096;
+
 /// A product file that was ingested. (sha256, cut_key) is its identity: the same file cut
 /// differently is another source.
 struct SourceFile {

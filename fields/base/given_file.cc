@@ -15,10 +15,6 @@
 namespace slackwater {
 namespace {
 
-[[noreturn]] void reject(std::string message) {
-  throw Error(ErrorKind::invalid_input, std::move(message));
-}
-
 [[noreturn]] void cannot_read(const std::filesystem::path& file, int problem) {
   const bool is_absent = problem == ENOENT || problem == ENOTDIR || problem == ENAMETOOLONG;
   throw Error(is_absent ? ErrorKind::not_found : ErrorKind::unavailable,
@@ -28,7 +24,7 @@ namespace {
 
 void expect_kind(const std::filesystem::path& file, mode_t mode, std::string_view what) {
   if (S_ISDIR(mode))
-    reject(formatted("found the folder {} where {} was expected; name a file in it", file.string(),
+    refuse(formatted("found the folder {} where {} was expected; name a file in it", file.string(),
                      what));
   if (!S_ISREG(mode))
     refuse(
@@ -76,7 +72,7 @@ std::string text_of_given_file(const std::filesystem::path& file, std::string_vi
     text.resize(had + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     if (got == 0) return text;
     if (text.size() > most_bytes)
-      reject(formatted("{}: longer than {} MiB where {} was expected", file.string(),
+      refuse(formatted("{}: longer than {} MiB where {} was expected", file.string(),
                        most_bytes >> 20U, what));
   }
 }

@@ -72,8 +72,7 @@ std::filesystem::path content_file(const std::filesystem::path& staging_folder,
   const bool is_there =
       std::filesystem::path(name).filename() == name &&
       std::filesystem::symlink_status(file, problem).type() == std::filesystem::file_type::regular;
-  if (!is_there)
-    throw Error(ErrorKind::invalid_input, "its reader named a content file that it did not write");
+  if (!is_there) refuse("its reader named a content file that it did not write");
   return file;
 }
 
@@ -90,17 +89,16 @@ Ingested decode_apart(const std::filesystem::path& file, const ProductCatalogue&
         return told_of(decode_file(file, products, options, staging_folder, tell));
       },
       progress, meanwhile);
-  return with_context(file.string(), [&] {
+  return with_context(context_of_told(file), [&] {
     auto told = unpacked<ToldIngested>(bytes);
     Ingested ingested{{}, std::move(told.warnings), told.published};
     for (ToldGranule& one : told.granules) {
       expect_canonical(one.granule.grid);
       if (one.granule.status > DataStatus::observation || one.granule.variables.empty())
-        throw Error(ErrorKind::invalid_input, "its reader told of a granule that is none");
+        refuse("its reader told of a granule that is none");
       ingested.granules.push_back({std::move(one.granule), content_file(staging_folder, one.name)});
     }
-    if (ingested.granules.empty())
-      throw Error(ErrorKind::invalid_input, "its reader found nothing, and did not say why");
+    if (ingested.granules.empty()) refuse("its reader found nothing, and did not say why");
     return ingested;
   });
 }

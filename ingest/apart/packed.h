@@ -45,8 +45,7 @@ class Unpacking : public cereal::InputArchive<Unpacking> {
   }
   /// Of something that takes a byte each, at the least. @throws Error(invalid_input)
   void expect(std::uint64_t count) const {
-    if (count > left_.size())
-      throw Error(ErrorKind::invalid_input, "its reader told less than it said that it would");
+    if (count > left_.size()) refuse("its reader told less than it said that it would");
   }
   [[nodiscard]] bool is_at_end() const noexcept { return left_.empty(); }
 
@@ -63,8 +62,7 @@ std::enable_if_t<std::is_arithmetic_v<T>> CEREAL_LOAD_FUNCTION_NAME(Unpacking& f
   if constexpr (std::is_same_v<T, bool>) {
     unsigned char byte = 0;
     from.take(&byte, 1);
-    if (byte > 1)
-      throw Error(ErrorKind::invalid_input, "its reader told what is neither yes nor no");
+    if (byte > 1) refuse("its reader told what is neither yes nor no");
     value = byte == 1;
   } else {
     from.take(&value, sizeof value);
@@ -109,8 +107,7 @@ template <typename T>
   T value{};
   Unpacking from(bytes);
   from(value);
-  if (!from.is_at_end())
-    throw Error(ErrorKind::invalid_input, "its reader told more than it said that it would");
+  if (!from.is_at_end()) refuse("its reader told more than it said that it would");
   return value;
 }
 

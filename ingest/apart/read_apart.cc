@@ -3,47 +3,65 @@
 #include <cstdlib>
 #include <new>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "fields/base/error.h"
 #include "fields/base/given_file.h"
+#include "fields/base/log.h"
 #include "ingest/apart/packed.h"
 #include "ingest/grib/grib_file.h"
+#include "ingest/netcdf/magic.h"
 
 namespace slackwater::ingest {
 namespace {
 
-/// What a reader tells: what it read, or why it could not.
-struct Told {
-  bool is_read = false;
-  ErrorKind kind = ErrorKind::internal;
-  std::string text;  ///< the bytes, or the problem
-};
-template <typename Archive>
-void serialize(Archive& archive, Told& told) {
-  auto& [is_read, kind, text] = told;
-  archive(is_read, kind, text);
-}
+/// What a reader tells ends with what it is: the bytes that it read, or why it could not.
+constexpr char is_read = 'r', is_problem = 'p';
+using Problem = std::pair<ErrorKind, std::string>;
 
-Told told_by(const std::filesystem::path& file, const Allowance& allowance,
-             const std::function<std::string(const TellShare&)>& read, const TellShare& tell) {
+std::string told(const Problem& problem) { return packed(problem) + is_problem; }
+
+std::string told_by(const std::filesystem::path& file, const Allowance& allowance,
+                    const std::function<std::string(const TellShare&)>& read,
+                    const TellShare& tell) {
   try {
-    return {true, {}, read(tell)};
+    std::string bytes = read(tell);
+    bytes += is_read;
+    return bytes;
   } catch (const Error& error) {
-    return {false, error.kind(), error.message()};
+    return told({error.kind(), error.message()});
   } catch (const std::bad_alloc&) {
-    return {false, ErrorKind::invalid_input,
-            "reading " + file.string() + " wants more than " +
-                std::to_string(allowance.memory_bytes >> 30U) +
-                " GB of memory: the file is damaged (fetch it again), or too large (cut it)"};
+    return told({ErrorKind::invalid_input,
+                 "reading " + file.string() + " wants more than " +
+                     std::to_string(allowance.memory_bytes >> 30U) +
+                     " GB of memory: the file is damaged (fetch it again), or too large (cut it)"});
   } catch (const std::exception& fault) {
-    return {false, ErrorKind::internal, "reading " + file.string() + ": " + fault.what()};
+    return told({ErrorKind::internal, "reading " + file.string() + ": " + fault.what()});
   }
 }
 
 std::string library_of(const std::filesystem::path& file) {
   std::error_code problem;
-  if (!std::filesystem::is_regular_file(file, problem)) return "what reads it";
-  return is_grib(file) ? "the GRIB library" : "the NetCDF library";
+  if (!std::filesystem::is_regular_file(file, problem)) return "its reader";
+  if (is_grib(file)) return "the GRIB library";
+  return netcdf::begins_as_netcdf(file) ? "the NetCDF library" : "its reader";
+}
+
+/// Once: a coordinator who reads strangers' files without a fence is to know it.
+void warn_where_nothing_confines() {
+  static const bool is_warned = [] {
+    const ConfinementOfSystem system = confinement_of_system();
+    if (system.calls && system.files) return false;
+    log_event(LogLevel::warning, "files of others are read with more rights than they need",
+              {{"problem", system.calls ? "this kernel has no Landlock (Linux 5.13), which bounds "
+                                          "what files a reader opens"
+                                        : "this kernel, or its container, filters no system calls "
+                                          "(seccomp)"},
+               {"advice", "read files of strangers on a newer system"}});
+    return true;
+  }();
+  static_cast<void>(is_warned);
 }
 
 /// Of a reader that did not answer.
@@ -96,19 +114,31 @@ Allowance allowance_for(const std::filesystem::path& file) {
   return allowance;
 }
 
+std::string context_of_told(const std::filesystem::path& file) {
+  return file.string() + " is damaged, or made to do harm; fetch it again";
+}
+
 std::string read_apart(const std::filesystem::path& file, const Allowance& allowance,
                        const std::function<std::string(const TellShare&)>& read,
                        const std::function<void(double)>& on_share,
                        const std::function<void()>& meanwhile) {
   refuse_device(file);
-  const Apart apart = run_apart(
-      allowance,
-      [&](const TellShare& tell) { return packed(told_by(file, allowance, read, tell)); }, on_share,
-      meanwhile);
+  warn_where_nothing_confines();
+  Apart apart = run_apart(
+      allowance, [&](const TellShare& tell) { return told_by(file, allowance, read, tell); },
+      on_share, meanwhile);
   if (apart.end != Apart::End::answered) throw error_of(apart, file, allowance);
-  Told told = with_context(file.string(), [&] { return unpacked<Told>(apart.answer); });
-  if (!told.is_read) throw Error(told.kind, told.text);
-  return std::move(told.text);
+  std::string bytes = std::move(apart.answer);
+  const char kind = bytes.empty() ? '\0' : bytes.back();
+  if (kind == is_read) {
+    bytes.pop_back();
+    return bytes;
+  }
+  const auto [error, message] = with_context(context_of_told(file), [&] {
+    if (kind != is_problem) refuse("its reader told neither what it read nor why it could not");
+    return unpacked<Problem>(std::string_view(bytes).substr(0, bytes.size() - 1));
+  });
+  throw Error(error, message);
 }
 
 }  // namespace slackwater::ingest

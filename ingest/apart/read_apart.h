@@ -11,6 +11,9 @@ namespace slackwater::ingest {
 /// and the tables of the libraries.
 [[nodiscard]] Allowance allowance_for(const std::filesystem::path& file);
 
+/// Of errors in what a reader told, which no sound reader tells.
+[[nodiscard]] std::string context_of_told(const std::filesystem::path& file);
+
 /// Reads a file of a stranger in a confined process of its own (fields/base/process/run_apart.h). A
 /// file that crashes the library that reads it, or reads for ever, or unpacks to more than there is
 /// room for, is one Error(invalid_input) that names it, and this process lives on.

@@ -1,8 +1,6 @@
 #include "ingest/apart/read_forecast_apart.h"
 
-#include "fields/base/error.h"
-#include "ingest/apart/packed.h"
-#include "ingest/apart/read_apart.h"
+#include "ingest/apart/value_apart.h"
 
 namespace slackwater {
 
@@ -72,7 +70,7 @@ namespace ingest {
 namespace {
 
 /// What `read_forecast` promises, whoever took its process over: each list is empty or whole.
-void expect_whole(const Snapshot& forecast) {
+void expect_whole_forecast(const Snapshot& forecast) {
   const std::size_t times = forecast.time.size(), values = times * forecast.depth_m.size();
   bool is_whole = times > 0 && !forecast.columns.empty() && forecast.members > 0;
   const auto holds = [&](std::size_t size, std::size_t each) {
@@ -94,21 +92,15 @@ void expect_whole(const Snapshot& forecast) {
     holds(column.sea_level.sigma_m.size(), times);
     holds(column.sea_level.source.size(), times);
   }
-  if (!is_whole)
-    throw Error(ErrorKind::invalid_input, "its reader told of another forecast than there is");
+  if (!is_whole) refuse("its reader told of another forecast than there is");
 }
 
 }  // namespace
 
 Snapshot read_forecast_apart(const std::filesystem::path& file) {
   if (!is_alone()) return read_forecast(file);
-  const std::string bytes = read_apart(
-      file, allowance_for(file), [&](const TellShare&) { return packed(read_forecast(file)); });
-  return with_context(file.string(), [&] {
-    auto forecast = unpacked<Snapshot>(bytes);
-    expect_whole(forecast);
-    return forecast;
-  });
+  return value_apart<Snapshot>(
+      file, [&] { return read_forecast(file); }, expect_whole_forecast);
 }
 
 }  // namespace ingest

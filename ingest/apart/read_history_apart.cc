@@ -1,7 +1,6 @@
 #include "ingest/apart/read_history_apart.h"
 
-#include "ingest/apart/packed.h"
-#include "ingest/apart/read_apart.h"
+#include "ingest/apart/value_apart.h"
 
 namespace slackwater {
 
@@ -22,10 +21,14 @@ void serialize(Archive& archive, HistoryOfFile& history) {
 HistoryOfFile read_history_apart(const std::filesystem::path& file,
                                  const std::vector<std::string>& wanted,
                                  const HistoryOptions& options, const Vocabulary& vocabulary) {
-  const std::string bytes = read_apart(file, allowance_for(file), [&](const TellShare&) {
-    return packed(read_history(file, wanted, options, vocabulary));
-  });
-  return unpacked<HistoryOfFile>(bytes);
+  const auto expect_whole = [&](const HistoryOfFile& history) {
+    bool is_whole = history.series.size() == wanted.size();
+    for (const auto& series : history.series)
+      is_whole = is_whole && (!series || series->time.size() == series->value.size());
+    if (!is_whole) refuse("its reader told of other series than were wanted");
+  };
+  return value_apart<HistoryOfFile>(
+      file, [&] { return read_history(file, wanted, options, vocabulary); }, expect_whole);
 }
 
 }  // namespace ingest

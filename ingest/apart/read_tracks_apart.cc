@@ -1,8 +1,6 @@
 #include "ingest/apart/read_tracks_apart.h"
 
-#include "fields/base/error.h"
-#include "ingest/apart/packed.h"
-#include "ingest/apart/read_apart.h"
+#include "ingest/apart/value_apart.h"
 
 namespace slackwater::ingest {
 
@@ -35,7 +33,7 @@ void serialize(Archive& archive, TrajectoryFile& tracks) {
 namespace {
 
 /// What `read_trajectories` promises, whoever took its process over.
-void expect_whole(const TrajectoryFile& tracks) {
+void expect_whole_tracks(const TrajectoryFile& tracks) {
   const std::size_t rows = tracks.names.size() * tracks.t_s.size();
   bool is_whole = true;
   for (const TrajectoryFile::Variable& one : tracks.variables)
@@ -46,21 +44,15 @@ void expect_whole(const TrajectoryFile& tracks) {
       is_whole = is_whole && column.values.size() == table.rows();
     for (const auto& text : table.texts) is_whole = is_whole && text.values.size() == table.rows();
   }
-  if (!is_whole)
-    throw Error(ErrorKind::invalid_input, "its reader told of other rows than there are");
+  if (!is_whole) refuse("its reader told of other rows than there are");
 }
 
 }  // namespace
 
 TrajectoryFile read_tracks_apart(const std::filesystem::path& file) {
   if (!is_alone()) return read_trajectories(file);
-  const std::string bytes = read_apart(
-      file, allowance_for(file), [&](const TellShare&) { return packed(read_trajectories(file)); });
-  return with_context(file.string(), [&] {
-    auto tracks = unpacked<TrajectoryFile>(bytes);
-    expect_whole(tracks);
-    return tracks;
-  });
+  return value_apart<TrajectoryFile>(
+      file, [&] { return read_trajectories(file); }, expect_whole_tracks);
 }
 
 }  // namespace slackwater::ingest

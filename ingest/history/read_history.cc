@@ -1,28 +1,15 @@
 #include "ingest/history/read_history.h"
 
-#include <array>
 #include <fstream>
-#include <string_view>
 
 #include "fields/base/error.h"
 #include "ingest/grib/grib_file.h"
 #include "ingest/history/cf_history.h"
 #include "ingest/history/csv_history.h"
+#include "ingest/netcdf/magic.h"
 #include "ingest/text/foreign_file.h"
 
 namespace slackwater::ingest {
-namespace {
-
-/// Classic NetCDF begins with "CDF", netCDF-4 as HDF5 does.
-bool is_netcdf(const std::filesystem::path& file) {
-  std::array<char, 4> magic{};
-  std::ifstream(file, std::ios::binary).read(magic.data(), magic.size());
-  const std::string_view found(magic.data(), magic.size());
-  return found.starts_with("CDF") || found == "\x89HDF";
-}
-
-}  // namespace
-
 HistoryOfFile read_history(const std::filesystem::path& file,
                            const std::vector<std::string>& wanted, const HistoryOptions& options,
                            const Vocabulary& vocabulary) {
@@ -39,8 +26,8 @@ HistoryOfFile read_history(const std::filesystem::path& file,
                   "ingest` reads GRIB, then say --site");
     if (const auto foreign = foreign_file(file))
       refuse(foreign->refusal("a table or a NetCDF series of one place"));
-    return is_netcdf(file) ? read_cf_history(file, wanted, options, vocabulary)
-                           : read_csv_history(file, wanted, options, vocabulary);
+    return netcdf::begins_as_netcdf(file) ? read_cf_history(file, wanted, options, vocabulary)
+                                          : read_csv_history(file, wanted, options, vocabulary);
   } catch (Error& error) {
     if (error.message().find(file.string()) == std::string::npos) error.prepend(file.string());
     throw;

@@ -93,6 +93,16 @@ std::optional<IngestReport> report_if_known(store::Store& store, const store::So
   return report;
 }
 
+/// Names become links and headers, whatever a file has in their place.
+void expect_names(const store::GranuleRow& row, const std::filesystem::path& file) {
+  for (const std::string& name : {row.station, row.product_id, row.dataset_id})
+    if (name.size() > store::longest_name_bytes)
+      refuse(
+          formatted("{}: found the name of a station, product or dataset with {} bytes, expected "
+                    "at most {}; the file is damaged: fetch it again",
+                    file.string(), name.size(), store::longest_name_bytes));
+}
+
 IngestReport commit(store::Store& store, store::SourceFile source, ingest::Ingested ingested,
                     const std::filesystem::path& file) {
   IngestReport report;
@@ -100,6 +110,7 @@ IngestReport commit(store::Store& store, store::SourceFile source, ingest::Inges
   std::vector<store::NewGranule> granules;
   for (const ingest::DecodedGranule& decoded : ingested.granules) {
     granules.push_back(to_row(decoded));
+    expect_names(granules.back().row, file);
     for (const GranuleVariable& variable : decoded.granule.variables) {
       if (std::find(report.standard_names.begin(), report.standard_names.end(),
                     variable.standard_name) == report.standard_names.end()) {

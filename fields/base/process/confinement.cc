@@ -22,9 +22,10 @@
 
 #include "fields/base/error.h"
 
-// What calls are let through is what the C library, our threads, netCDF, HDF5 and ecCodes were seen
-// to need (strace), and their fellows on other machines. All else fails with EPERM, which each of
-// them takes for "not here": a process that is killed for a call cannot say which file it read.
+// What calls are let through is what the C library, threads, netCDF, HDF5, ecCodes and UDUNITS ask
+// for to read files and write others, and their fellows on other machines. All else fails with
+// EPERM, which they take for "not here": a process that is killed for a call cannot say what it
+// found.
 
 namespace slackwater {
 namespace {

@@ -1,7 +1,6 @@
 #include "fields/base/process/run_apart.h"
 
 #include <fcntl.h>
-#include <linux/close_range.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -14,19 +13,14 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <string_view>
-#include <thread>
 
 #include "fields/base/error.h"
+#include "fields/base/process/child.h"
+#include "fields/base/process/frames.h"
 #include "fields/base/process/pipe.h"
-
-// The pipe carries frames: a letter, the length in eight bytes, the bytes. 's' is a share, 'a' the
-// answer, which comes last.
 
 namespace slackwater {
 namespace {
@@ -38,27 +32,6 @@ constexpr bool is_sanitized = false;
 #endif
 
 constexpr int not_confined = 79;  ///< how a child ends that could not be bound
-
-constexpr std::size_t head_bytes = 1 + sizeof(std::uint64_t);
-
-bool write_all(int descriptor, const char* data, std::size_t size) {
-  while (size > 0) {
-    const ssize_t count = ::write(descriptor, data, size);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    data += count;
-    size -= static_cast<std::size_t>(count);
-  }
-  return true;
-}
-
-bool send(int descriptor, char kind, std::string_view bytes) {
-  const std::uint64_t size = bytes.size();
-  std::string head(1, kind);
-  head.append(reinterpret_cast<const char*>(&size), sizeof size);
-  return write_all(descriptor, head.data(), head.size()) &&
-         write_all(descriptor, bytes.data(), bytes.size());
-}
 
 void limit(decltype(RLIMIT_CPU) what, rlim_t soft, rlim_t hard) {
   struct rlimit now {};
@@ -110,91 +83,15 @@ void bind_child(pid_t parent, int descriptor, const Allowance& allowance) {
       const int permille = static_cast<int>(1000 * share);
       if (permille == last_permille) return;
       last_permille = permille;
-      send(descriptor, 's', std::to_string(permille));
+      send_share(descriptor, permille);
     });
-    is_told = send(descriptor, 'a', answer);
+    is_told = send_answer(descriptor, answer);
   } catch (...) {  // nothing may run on into what the parent was about to do
     is_told = false;
   }
-  std::fflush(stdout);
   std::fflush(stderr);
-  ::_exit(is_told ? 0 : is_bound ? 1 : not_confined);
-}
-
-/// What the child told so far.
-struct Told {
-  std::string bytes;
-  std::string answer;
-  bool is_answered = false;
-
-  void take(std::string_view more, const std::function<void(double)>& on_share) {
-    bytes += more;
-    std::size_t at = 0;
-    while (bytes.size() - at >= head_bytes) {
-      std::uint64_t size = 0;
-      std::memcpy(&size, bytes.data() + at + 1, sizeof size);
-      if (bytes.size() - at - head_bytes < size) break;
-      if (bytes[at] == 'a') {
-        bytes.erase(0, at + head_bytes);
-        answer = std::move(bytes);
-        is_answered = true;
-        bytes.clear();
-        return;
-      }
-      if (on_share)
-        on_share(std::strtod(bytes.substr(at + head_bytes, size).c_str(), nullptr) / 1000);
-      at += head_bytes + size;
-    }
-    bytes.erase(0, at);
-  }
-};
-
-/// A process of ours: ended and waited for, also where an exception passes by.
-class Child {
- public:
-  explicit Child(pid_t process) noexcept : process_(process) {}
-  ~Child() {
-    if (process_ <= 0) return;
-    end();
-    wait();
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  void end() const noexcept { ::kill(process_, SIGKILL); }
-  /// @return its status, as waitpid has it
-  int wait() noexcept {
-    int status = 0;
-    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = -1;
-    return status;
-  }
-  /// The same of one that has nothing more to say: it is ended where it does not end.
-  int wait_a_while() noexcept {
-    int status = 0;
-    for (int turn = 0; turn < 1000; ++turn) {
-      const pid_t ended = ::waitpid(process_, &status, WNOHANG);
-      if (ended == process_) {
-        process_ = -1;
-        return status;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(turn < 100 ? 1 : 10));
-    }
-    end();
-    return wait();
-  }
-  [[nodiscard]] pid_t process() const noexcept { return process_; }
-
- private:
-  pid_t process_;
-};
-
-/// Of another process; 0: it is over.
-std::uint64_t bytes_in_use(pid_t process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/statm");
-  std::uint64_t all = 0, resident = 0;
-  file >> all >> resident;
-  return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  if (!is_bound) ::_exit(not_confined);
+  ::_exit(is_told ? 0 : 1);
 }
 
 /// Listens to the child until it has ended, or ends it. @return why it was ended, where it was
@@ -215,8 +112,8 @@ Apart::End listen(const Child& child, int descriptor, const Allowance& allowance
       if (Clock::now() < look_at) continue;
     }
     look_at = Clock::now() + std::chrono::milliseconds(look_every_ms);
-    const bool is_too_large = bytes_in_use(child.process()) > allowance.memory_bytes ||
-                              told.bytes.size() > allowance.memory_bytes;
+    const bool is_too_large =
+        child.bytes_in_use() > allowance.memory_bytes || told.bytes.size() > allowance.memory_bytes;
     if (!is_too_large && Clock::now() < latest) continue;
     child.end();
     return is_too_large ? Apart::End::out_of_memory : Apart::End::out_of_time;

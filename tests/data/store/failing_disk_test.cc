@@ -10,6 +10,7 @@
 #include "tests/data/store/memory_folder.h"
 #include "tests/data/store/sample_rows.h"
 #include "tests/data/store/worker_process.h"
+#include "tests/support/asked_number.h"
 
 namespace slackwater::store::tests::failing_disk_test {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 struct Trouble {
   int error;
   bool sticky;
+  int first;  ///< the call that fails first
 };
 
 class FailingDisk : public testing::TestWithParam<Trouble> {};
@@ -30,8 +32,11 @@ void expect_intact(Store& store, int number) {
   EXPECT_TRUE(store.find_source(samples::source(number).sha256, "")) << "source " << number;
 }
 
+/// Of four kinds of trouble `make test` lets each fourth call fail, in turn; `make soak` every one.
+const int fail_every = slackwater::tests::asked_number("SLACKWATER_FAIL_EVERY", 4);
+
 /// Runs `step` on a copy of a store that holds source and forecast 1, with its Nth call failing,
-/// for all N.
+/// for all N, or each so-manyth.
 void fail_everywhere(const std::string& step, const Trouble& trouble,
                      const std::function<bool(Store&)>& is_there,
                      const std::function<void(Store&)>& again) {
@@ -55,7 +60,7 @@ void fail_everywhere(const std::string& step, const Trouble& trouble,
   }
   ASSERT_GT(calls, 20);
   int reported_failed = 0;
-  for (int at = 1; at <= calls; ++at) {
+  for (int at = (trouble.first - 1) % fail_every + 1; at <= calls; at += fail_every) {
     SCOPED_TRACE("call " + std::to_string(at) + " of " + std::to_string(calls));
     const std::filesystem::path store = copy("trial");
     WorkerProcess worker(store, {"begin", step},
@@ -82,7 +87,7 @@ void fail_everywhere(const std::string& step, const Trouble& trouble,
     EXPECT_TRUE(opened.check(true).sound);
     std::filesystem::remove_all(store);
   }
-  EXPECT_GT(reported_failed, 5) << "hardly any failure was noticed";
+  EXPECT_GT(reported_failed * fail_every, 5) << "hardly any failure was noticed";
 }
 
 TEST_P(FailingDisk, IngestIsReportedFailedAndCanBeRepeatedOrIsThere) {
@@ -104,8 +109,8 @@ TEST_P(FailingDisk, ForecastIsReportedFailedAndCanBeRepeatedOrIsThere) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, FailingDisk,
-                         testing::Values(Trouble{ENOSPC, false}, Trouble{ENOSPC, true},
-                                         Trouble{EIO, false}, Trouble{EIO, true}),
+                         testing::Values(Trouble{ENOSPC, false, 1}, Trouble{ENOSPC, true, 2},
+                                         Trouble{EIO, false, 3}, Trouble{EIO, true, 4}),
                          [](const testing::TestParamInfo<Trouble>& trouble) {
                            return std::string(trouble.param.error == EIO ? "Eio" : "Enospc") +
                                   (trouble.param.sticky ? "FromThereOn" : "Once");

@@ -10,6 +10,7 @@
 #include "tests/data/store/memory_folder.h"
 #include "tests/data/store/sample_rows.h"
 #include "tests/data/store/worker_process.h"
+#include "tests/support/asked_number.h"
 
 namespace slackwater::store::tests::power_cut_test {
 namespace {
@@ -61,10 +62,11 @@ std::string fault_of(const std::filesystem::path& store, const std::set<std::str
   }
 }
 
-/// Cuts the power after each call; the faults found, each with where.
+/// Cuts the power after each call; with `every` 3, each call in one of the three ways of survival.
+/// The faults found, each with where.
 std::vector<std::string> cut_everywhere(const Recording& recording,
                                         const std::function<bool(const RecordedCall&)>& is_ignored,
-                                        std::size_t stop_after = 5) {
+                                        int every = 1, std::size_t stop_after = 1) {
   std::vector<std::string> faults;
   DiskModel disk(recording.root);
   std::set<std::string> done;
@@ -77,6 +79,7 @@ std::vector<std::string> cut_everywhere(const Recording& recording,
     if (!is_ignored(call)) disk.apply(call);
     if (call.call == call_log::Call::open || call.call == call_log::Call::close) continue;
     for (const Survival survival : {Survival::none, Survival::all, Survival::some}) {
+      if ((static_cast<int>(i) + static_cast<int>(survival)) % every != 0) continue;
       // Syncs make certain what was already there: nothing new where nothing is lost.
       if (survival == Survival::all && call.call == call_log::Call::sync) continue;
       const MemoryFolder after;
@@ -92,15 +95,19 @@ std::vector<std::string> cut_everywhere(const Recording& recording,
 }
 
 const auto nothing = [](const RecordedCall&) { return false; };
+/// `make soak` cuts after every call in every way.
+const int cut_every = slackwater::tests::asked_number("SLACKWATER_CUT_EVERY", 3);
 
 TEST(PowerCut, LosesNothingThatWasReportedDoneWhereverItFalls) {
   const Recording recording({"open", "ingest:1", "forecast:1", "close", "ingest:2", "forecast:2"});
-  for (const std::string& fault : cut_everywhere(recording, nothing)) ADD_FAILURE() << fault;
+  for (const std::string& fault : cut_everywhere(recording, nothing, cut_every, 5))
+    ADD_FAILURE() << fault;
 }
 
 TEST(PowerCut, DuringAPruneLeavesNoHoles) {
   const Recording recording({"ingest:1", "forecast:1", "ingest:2", "prune", "ingest:3"});
-  for (const std::string& fault : cut_everywhere(recording, nothing)) ADD_FAILURE() << fault;
+  for (const std::string& fault : cut_everywhere(recording, nothing, cut_every, 5))
+    ADD_FAILURE() << fault;
 }
 
 /// The two tests below plant a violation, to see the model close on it: were a sync missing, the
@@ -118,7 +125,7 @@ TEST(PowerCut, WouldShowAMissingSyncOfAContentFile) {
     }
     return call.call == call_log::Call::sync && staged.contains(call.descriptor);
   };
-  EXPECT_FALSE(cut_everywhere(recording, content_sync, 1).empty());
+  EXPECT_FALSE(cut_everywhere(recording, content_sync).empty());
 }
 
 TEST(PowerCut, WouldShowAMissingSyncOfAFolder) {
@@ -134,7 +141,7 @@ TEST(PowerCut, WouldShowAMissingSyncOfAFolder) {
     }
     return call.call == call_log::Call::sync && folders.contains(call.descriptor);
   };
-  EXPECT_FALSE(cut_everywhere(recording, folder_sync, 1).empty());
+  EXPECT_FALSE(cut_everywhere(recording, folder_sync).empty());
 }
 
 /// The order that makes it so, read from the record of one ingest.

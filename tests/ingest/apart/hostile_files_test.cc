@@ -117,7 +117,7 @@ TEST_F(HostileFiles, KeepTheirReaderForNoLongerThanItMay) {
 }
 
 TEST_F(HostileFiles, AreNamedByTheirSignal) {
-  std::ofstream(folder / "file.nc") << "x";
+  std::ofstream(folder / "file.nc") << "CDF\1";
   const std::string message = error_of([&] {
     return read_apart(folder / "file.nc", allowance_for(folder / "file.nc"),
                       [](const TellShare&) -> std::string {
