@@ -1,13 +1,12 @@
 #include "api/door/dds/endpoint_quality.h"
 
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <algorithm>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 
-#include "api/door/dds/loopback_transport.h"
+#include "api/door/dds/udp_transport.h"
 #include "fields/base/error.h"
 
 namespace slackwater::dds {
@@ -57,22 +56,24 @@ void expect_domain(int domain) {
                                             ": domains are from 0 to " + std::to_string(last));
 }
 
-fdds::DomainParticipantQos participant_qos(const DomainSettings& settings) {
+fdds::DomainParticipantQos participant_qos(const DomainSettings& settings,
+                                           std::shared_ptr<Intake> intake) {
   using eprosima::fastdds::rtps::SharedMemTransportDescriptor;
-  using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
   fdds::DomainParticipantQos qos;
   qos.name(settings.node.c_str());
   const std::string enclave = "enclave=/;";  // as nodes of ROS 2 have it
   qos.user_data().assign(enclave.begin(), enclave.end());
-  if (settings.is_loopback_only || settings.is_udp_only) {
-    qos.transport().use_builtin_transports = false;
-    if (!settings.is_udp_only)
-      qos.transport().user_transports.push_back(std::make_shared<SharedMemTransportDescriptor>());
-    if (settings.is_loopback_only)
-      qos.transport().user_transports.push_back(std::make_shared<LoopbackTransportDescriptor>());
-    else
-      qos.transport().user_transports.push_back(std::make_shared<UDPv4TransportDescriptor>());
+  // As it is of itself, but for the intake.
+  qos.transport().use_builtin_transports = false;
+  const auto udp = std::make_shared<UdpTransportDescriptor>(settings, std::move(intake));
+  if (!settings.is_udp_only) {
+    auto shared_memory = std::make_shared<SharedMemTransportDescriptor>();
+    shared_memory->max_message_size(udp->max_message_size());
+    qos.transport().user_transports.push_back(std::move(shared_memory));
   }
+  qos.transport().user_transports.push_back(udp);
+  // Those that come through shared memory too; and ourselves.
+  qos.allocation().participants.maximum = Intake::most_participants + 1;
   return qos;
 }
 
@@ -86,6 +87,7 @@ fdds::DataWriterQos writer_qos(const bag::Quality& quality, const std::string& t
   // five subscribers to 20 vehicles at 100 Hz a third of what they compute (live_bench).
   qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000};
   qos.reliable_writer_qos().disable_heartbeat_piggyback = true;
+  qos.writer_resource_limits().matched_subscriber_allocation.maximum = most_of_a_topic;
   return qos;
 }
 
@@ -94,6 +96,7 @@ fdds::DataReaderQos reader_qos(const bag::Quality& quality, const std::string& t
   be_of(quality, type_hash, qos);
   keep_last(std::max(quality.depth, most_out_of_order), qos);
   qos.resource_limits().allocated_samples = quality.depth;  // the others when they are needed
+  qos.reader_resource_limits().matched_publisher_allocation.maximum = most_of_a_topic;
   return qos;
 }
 

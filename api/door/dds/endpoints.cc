@@ -56,6 +56,12 @@ Gid gid_of(const rtps::GUID_t& guid) {
   return gid;
 }
 
+Prefix prefix_of(const rtps::GUID_t& guid) {
+  Prefix prefix{};
+  std::copy_n(guid.guidPrefix.value, prefix.size(), prefix.begin());
+  return prefix;
+}
+
 void Guard::tell(const std::string& text) const noexcept {
   try {
     if (tell_) tell_(text);
@@ -82,6 +88,10 @@ void Writer::on_publication_matched(fdds::DataWriter* source,
     replies.reader_found(*source, reader);
   else
     replies.reader_lost(reader);
+  if (readers == most_of_a_topic && !is_said_full_.exchange(true))
+    guard_.tell(
+        topic_ + " has " + std::to_string(most_of_a_topic) +
+        " readers, and tells no more: keep strangers out (--loopback, --interface, a firewall)");
 }
 
 bool Writer::is_heard_by(const std::string& client) const {
@@ -125,6 +135,10 @@ void Reader::on_data_available(fdds::DataReader* source) {
 
 void Reader::on_subscription_matched(fdds::DataReader*,
                                      const fdds::SubscriptionMatchedStatus& status) {
+  if (status.current_count == most_of_a_topic && !is_said_full_.exchange(true))
+    guard_.tell(topic_ + " has " + std::to_string(most_of_a_topic) +
+                " writers, and no more are heard: keep strangers out (--loopback, --interface, a "
+                "firewall)");
   if (status.current_count_change >= 0) return;
   rtps::GUID_t writer;
   rtps::iHandle2GUID(writer, status.last_publication_handle);
@@ -142,7 +156,10 @@ void Reader::on_requested_incompatible_qos(fdds::DataReader*,
 void Watcher::on_participant_discovery(fdds::DomainParticipant*,
                                        rtps::ParticipantDiscoveryInfo&& info) {
   using Info = rtps::ParticipantDiscoveryInfo;
-  if (info.status != Info::REMOVED_PARTICIPANT && info.status != Info::DROPPED_PARTICIPANT) return;
+  const Prefix prefix = prefix_of(info.info.m_guid);
+  if (info.status != Info::REMOVED_PARTICIPANT && info.status != Info::DROPPED_PARTICIPANT)
+    return guard_("a client came", [&] { intake_.found(prefix); });
+  guard_("a client left", [&] { intake_.lost(prefix); });
   std::vector<OnLost> told;
   {
     const std::lock_guard lock(mutex_);

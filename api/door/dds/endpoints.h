@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "api/door/dds/held_back.h"
+#include "api/door/dds/intake/intake.h"
 #include "api/door/dds/message/bytes.h"
 #include "api/door/dds/mismatch.h"
 #include "api/door/dds/replies.h"
@@ -24,6 +25,7 @@
 namespace slackwater::dds {
 
 [[nodiscard]] Gid gid_of(const eprosima::fastrtps::rtps::GUID_t& guid);
+[[nodiscard]] Prefix prefix_of(const eprosima::fastrtps::rtps::GUID_t& guid);
 
 /// What is thrown where the library calls us goes no further.
 class Guard {
@@ -68,6 +70,7 @@ class Writer final : public eprosima::fastdds::dds::DataWriterListener {
   const Guard& guard_;
   mutable std::mutex mutex_;
   std::multiset<std::string> clients_;  ///< of each reader whose it is
+  std::atomic<bool> is_said_full_{false};
 };
 
 /// What comes with a message.
@@ -114,13 +117,15 @@ class Reader final : public eprosima::fastdds::dds::DataReaderListener {
   OnBytes on_bytes_;
   OnLeft on_left_;
   HeldBackByWriter held_back_;
+  std::atomic<bool> is_said_full_{false};
 };
 
-/// Tells of participants that left, and of readers and writers that do not match ours.
+/// Tells of participants that left, and of readers and writers that do not match ours; and the
+/// intake of participants that come and go.
 class Watcher final : public eprosima::fastdds::dds::DomainParticipantListener {
  public:
   using OnLost = std::function<void(const std::string& client)>;
-  explicit Watcher(const Guard& guard) : guard_(guard) {}
+  Watcher(const Guard& guard, Intake& intake) : guard_(guard), intake_(intake) {}
   void on_participant_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
                                 eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
   void on_publisher_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
@@ -134,6 +139,7 @@ class Watcher final : public eprosima::fastdds::dds::DomainParticipantListener {
  private:
   void found(const eprosima::fastrtps::rtps::GUID_t& guid, Endpoint endpoint);
   const Guard& guard_;
+  Intake& intake_;
   std::mutex mutex_;
   std::vector<OnLost> on_lost_;
   MismatchWatch mismatches_;

@@ -17,6 +17,7 @@
 #include "api/door/dds/message/graph.h"
 #include "api/door/dds/message/log_message.h"
 #include "api/door/dds/message/names.h"
+#include "api/door/dds/network_card.h"
 #include "api/door/dds/shared_memory.h"
 #include "api/door/dds/teller.h"
 #include "api/door/dds/wire_type.h"
@@ -41,23 +42,26 @@ struct Participant::State {
   explicit State(DomainSettings given) : settings(std::move(given)) {
     excuse_library_faults();
     expect_domain(settings.domain);
+    if (!settings.interface.empty()) expect_network_card(settings.interface);
     std::optional<StartInSharedMemory> start;
     if (!settings.is_udp_only) start.emplace();
     auto* factory = fdds::DomainParticipantFactory::get_instance();
     // Without a mask the participant would take what its readers are there for.
-    participant =
-        factory->create_participant(static_cast<std::uint32_t>(settings.domain),
-                                    participant_qos(settings), &watcher, fdds::StatusMask::none());
+    participant = factory->create_participant(static_cast<std::uint32_t>(settings.domain),
+                                              participant_qos(settings, intake), &watcher,
+                                              fdds::StatusMask::none());
     if (participant == nullptr) {
       throw Error(ErrorKind::unavailable, "DDS domain " + std::to_string(settings.domain) +
                                               " cannot be joined; are its UDP ports (from " +
                                               std::to_string(7400 + 250 * settings.domain) +
                                               ") free and allowed?");
     }
+    intake->be(prefix_of(participant->guid()));
     publisher = participant->create_publisher(fdds::PUBLISHER_QOS_DEFAULT);
     subscriber = participant->create_subscriber(fdds::SUBSCRIBER_QOS_DEFAULT);
   }
   ~State() {
+    intake->tell_rest();
     teller.end();
     {
       const std::lock_guard lock(life->mutex);
@@ -142,7 +146,9 @@ struct Participant::State {
 
   DomainSettings settings;
   Guard guard{[this](const std::string& text) { teller.tell(text); }};
-  Watcher watcher{guard};
+  std::shared_ptr<Intake> intake =
+      std::make_shared<Intake>([this](const std::string& text) { teller.tell(text); });
+  Watcher watcher{guard, *intake};
   std::shared_ptr<Life> life = std::make_shared<Life>();
   fdds::DomainParticipant* participant = nullptr;
   fdds::Publisher* publisher = nullptr;

@@ -13,7 +13,9 @@ struct DomainSettings {
   int domain = 0;  ///< 0 to 232
   std::string node = "slackwater";
   bool is_loopback_only = false;  ///< nobody on another machine hears it
-  bool is_udp_only = false;       ///< no shared memory, of which killed processes leave files
+  /// Address of the network card that it is at, and no other; empty: at all of them.
+  std::string interface;
+  bool is_udp_only = false;  ///< no shared memory, of which killed processes leave files
   /// What operators should know of: peers whose type or quality of a topic is another one than
   /// ours, messages that are none. From a thread of the participant, one at a time.
   std::function<void(const std::string&)> on_trouble;
@@ -47,8 +49,8 @@ class Participant {
   using OnLost = std::function<void(const std::string& client)>;
 
   /// Takes away what killed participants left in shared memory, then joins.
-  /// @throws Error(invalid_input) for a domain that there cannot be, Error(unavailable) where the
-  ///         domain cannot be joined
+  /// @throws Error(invalid_input) for a domain or a network card that there is not,
+  ///         Error(unavailable) where the domain cannot be joined
   explicit Participant(DomainSettings settings);
   ~Participant();
   Participant(const Participant&) = delete;

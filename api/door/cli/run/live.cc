@@ -7,6 +7,7 @@
 
 #include "api/ask/run/scenario_at_hand.h"
 #include "api/door/cli/command.h"
+#include "api/door/cli/dds_options.h"
 #include "api/door/cli/output_file.h"
 #include "api/door/cli/run/recorded_run.h"
 #include "api/door/cli/run/recordings.h"
@@ -31,9 +32,7 @@ using nlohmann::json;
 
 struct LiveArguments {
   std::filesystem::path scenario;
-  std::optional<int> domain;
-  bool loopback = false;
-  bool udp_only = false;
+  DdsChoice dds;
   double factor = 1;
   std::string when_host_fails = "take-back";
   std::vector<std::string> sensors;
@@ -80,7 +79,8 @@ void print_name(const twin::Agent& vehicle, const std::string& name) {
 /// The names under which the vehicles are found, where a client must know them.
 void print_names(std::span<const twin::Agent> agents, const std::vector<std::string>& names,
                  const std::string& site, const LiveArguments& arguments) {
-  if (arguments.domain) std::fprintf(stderr, "DDS domain %d, ROS 2 names:\n", *arguments.domain);
+  if (arguments.dds.domain)
+    std::fprintf(stderr, "DDS domain %d, ROS 2 names:\n", *arguments.dds.domain);
   for (std::size_t i = 0; i < names.size(); ++i) print_name(agents[i], names[i]);
   std::fprintf(stderr, "  site    %-20s /%s/...\n", site.c_str(), site.c_str());
   std::fflush(stderr);
@@ -89,12 +89,7 @@ void print_names(std::span<const twin::Agent> agents, const std::vector<std::str
 live::LiveSettings settings_of(const LiveArguments& arguments, const twin::Scenario& scenario,
                                const ScenarioWater& water) {
   live::LiveSettings settings;
-  if (arguments.domain) {
-    settings.domain.emplace();
-    settings.domain->domain = *arguments.domain;
-    settings.domain->is_loopback_only = arguments.loopback;
-    settings.domain->is_udp_only = arguments.udp_only;
-  }
+  settings.domain = arguments.dds.settings();
   if (arguments.when_host_fails == "halt") settings.when_host_fails = live::HostRule::halt;
   settings.on_trouble = tell_trouble;
   settings.on_newcomer = print_name;
@@ -201,7 +196,7 @@ live::SensorsAsked sensors_of(const LiveArguments& arguments) {
   live::SensorsAsked asked{{}, arguments.sight, arguments.by};
   for (const std::string& text : arguments.sensors)
     asked.sensors.push_back(live::sensor_asked(text));
-  const bool is_heard = arguments.domain || arguments.viewer_port || arguments.people_port ||
+  const bool is_heard = arguments.dds.domain || arguments.viewer_port || arguments.people_port ||
                         !arguments.recordings.empty();
   if (!asked.sensors.empty() && !is_heard)
     throw Error(ErrorKind::usage,
@@ -306,10 +301,8 @@ void add_live(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand(
       "live", "Run a scenario at real time for robots and people: ROS 2 over DDS, bags, viewers");
   command->add_option("scenario", arguments->scenario, "YAML file")->required();
-  command->add_option("--dds-domain", arguments->domain,
-                      "DDS domain, 0 to 232 (ROS_DOMAIN_ID); without it nothing is on DDS");
-  command->add_flag("--loopback", arguments->loopback, "DDS on this machine alone");
-  command->add_flag("--udp-only", arguments->udp_only, "DDS without shared memory");
+  add_dds_options(*command, arguments->dds,
+                  "DDS domain, 0 to 232 (ROS_DOMAIN_ID); without it nothing is on DDS");
   command
       ->add_option("--real-time-factor", arguments->factor,
                    "times as fast as the clock, 0.1 and more; 0: as fast as it goes (default 1)")

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "api/door/cli/command.h"
+#include "api/door/cli/dds_options.h"
 #include "api/door/cli/serve/serve_health.h"
 #include "api/door/cli/stop_signals.h"
 #include "api/door/cli/traffic_options.h"
@@ -11,6 +12,7 @@
 #include "api/door/desk/interface_document.h"
 #include "api/door/desk/page_routes.h"
 #include "api/door/edr/service.h"
+#include "api/door/http/monitoring.h"
 #include "api/door/http/server.h"
 #include "api/door/live/forecast_service.h"
 #include "api/door/sessions/host_routes.h"
@@ -30,29 +32,25 @@ struct ServeArguments {
   int port = 8080;
   int threads = 2;
   std::string token_file;
+  std::string monitoring = "everyone";
   std::string base_url;
   std::string stale_after, at;
   std::string sessions;
   std::vector<std::string> ais;
   AlarmWords alarm;
-  std::optional<int> domain;
-  bool loopback = false;
-  bool udp_only = false;
+  DdsChoice dds;
 };
 
 /// The forecasts on DDS, where that was asked for.
 std::unique_ptr<live::ForecastService> on_dds(const ServeArguments& arguments,
                                               const std::shared_ptr<IssuedFields>& forecasts,
                                               const Context& context) {
-  if (!arguments.domain) return nullptr;
-  dds::DomainSettings settings;
-  settings.domain = *arguments.domain;
-  settings.is_loopback_only = arguments.loopback;
-  settings.is_udp_only = arguments.udp_only;
-  settings.on_trouble = [](const std::string& text) {
+  auto settings = arguments.dds.settings();
+  if (!settings) return nullptr;
+  settings->on_trouble = [](const std::string& text) {
     log_event(LogLevel::warning, "dds", {{"problem", text}});
   };
-  return std::make_unique<live::ForecastService>(settings, forecasts,
+  return std::make_unique<live::ForecastService>(*settings, forecasts,
                                                  [&context] { return context.now(); });
 }
 
@@ -131,6 +129,22 @@ void warn_of_others(const http::Server& server, const ServeArguments& arguments)
                                     : "without TLS and without a password: whoever reaches this "
                                       "machine reads all that is served"},
              {"advice", "listen on 127.0.0.1, behind a proxy (behind_a_proxy.md)"}});
+  if (arguments.monitoring == "everyone")
+    log_event(LogLevel::warning, "monitoring is open to other machines",
+              {{"paths", "/health /metrics"},
+               {"advice", "--monitoring health, local or nobody (http.md)"}});
+}
+
+http::MonitoringHandlers monitoring_handlers(const std::shared_ptr<IssuedFields>& forecasts,
+                                             const Freshness& freshness,
+                                             const std::shared_ptr<const http::Metrics>& metrics) {
+  const auto health = [forecasts, freshness] { return health_of(*forecasts, freshness); };
+  const auto gauges = [forecasts, freshness] {
+    return forecast_gauges(*forecasts->catalogue(), freshness);
+  };
+  return {http::health_handler(code_version(), metrics, health),
+          http::health_handler(code_version(), metrics, health, http::Asker::monitor),
+          http::metrics_handler(metrics, gauges)};
 }
 
 /// As many stations at each session as a server of one session takes.
@@ -144,6 +158,7 @@ http::Limits limits_for(std::size_t sessions_at_once) {
 void run_serve(const ServeArguments& arguments, const Context& context) {
   hold_little_spare_memory();
   const std::string base_url = checked_base(arguments.base_url);
+  const http::Monitoring monitoring = http::monitoring_named(arguments.monitoring);
   const Freshness freshness =
       freshness_from(arguments.stale_after, clock_from(arguments.at, context));
   const StopSignals stop;
@@ -171,17 +186,13 @@ void run_serve(const ServeArguments& arguments, const Context& context) {
     options.guards_itself = sessions::is_for_supervisors;
     options.limits = limits_for(people->most_at_once());
   }
+  beside.interface.merge_patch(http::monitoring_document(monitoring));
   edr::add_routes(router, forecasts, base_url, freshness, beside);
   std::vector<std::string> labels = router.labels();
   labels.insert(labels.end(), {"/health", "/health/fresh", "/metrics"});
   options.metrics = std::make_shared<http::Metrics>(labels);
-  const auto health = [forecasts, freshness] { return health_of(*forecasts, freshness); };
-  router.add("GET", "/health", http::health_handler(code_version(), options.metrics, health));
-  router.add("GET", "/health/fresh",
-             http::health_handler(code_version(), options.metrics, health, http::Asker::monitor));
-  router.add("GET", "/metrics", http::metrics_handler(options.metrics, [forecasts, freshness] {
-               return forecast_gauges(*forecasts->catalogue(), freshness);
-             }));
+  http::add_monitoring_routes(router, monitoring,
+                              monitoring_handlers(forecasts, freshness, options.metrics));
   options.methods_at = [router](const std::string& path) { return router.methods_at(path); };
   const auto dds_service = on_dds(arguments, forecasts, context);
   http::Server server(options, router);
@@ -225,6 +236,11 @@ void add_serve(CLI::App& app, Context& context) {
   command->add_option("--token-file", arguments->token_file,
                       "file with the token that whoever writes from afar must show");
   command->add_option(
+      "--monitoring", arguments->monitoring,
+      "who may ask /health and /metrics: everyone; health: everyone /health, and /metrics as with "
+      "local; local: clients on this machine, not through a proxy, and who shows the token; nobody "
+      "(default everyone)");
+  command->add_option(
       "--base-url", arguments->base_url,
       "address as clients see it, e.g. behind a proxy (default: the Host header, where "
       "that is a number or localhost; else links have no host)");
@@ -243,12 +259,9 @@ void add_serve(CLI::App& app, Context& context) {
   command->add_option("--sessions", arguments->sessions,
                       "live sessions that people may begin and take part in (page /session), and "
                       "their tokens, as FILE.yaml");
-  command->add_option(
-      "--dds-domain", arguments->domain,
-      "also on DDS: the water of each site as forecast for now, ROS 2 names; domain "
-      "0 to 232");
-  command->add_flag("--loopback", arguments->loopback, "DDS on this machine alone");
-  command->add_flag("--udp-only", arguments->udp_only, "DDS without shared memory");
+  add_dds_options(*command, arguments->dds,
+                  "also on DDS: the water of each site as forecast for now, ROS 2 names; domain 0 "
+                  "to 232");
   command->callback([arguments, &context] { run_serve(*arguments, context); });
 }
 

@@ -8,6 +8,7 @@
 #include "tests/api/door/dds/cdr_by_hand.h"
 #include "tests/api/door/dds/inbox.h"
 #include "tests/api/door/dds/own_domain.h"
+#include "tests/support/udp_sockets.h"
 
 // Participants on this machine, over UDP and through shared memory, each in a domain of its test.
 
@@ -270,6 +271,42 @@ TEST(Participant, ThereIsNoSuchDomain) {
     } catch (const Error& e) {
       EXPECT_EQ(e.kind(), ErrorKind::invalid_input);
       EXPECT_NE(e.message().find("from 0 to 232"), std::string::npos) << e.message();
+    }
+  }
+}
+
+TEST(Participant, IsAtTheNetworkCardThatItIsToldAlone) {
+  const OwnDomain domain;
+  DomainSettings settings;
+  settings.domain = domain.number();
+  settings.is_udp_only = true;
+  settings.interface = "127.0.0.1";
+  Inbox<std::string> inbox;
+  Participant reader(settings), writer(settings);
+  reader.subscribe({"/test", "std_msgs/msg/String", "", latched},
+                   [&](Payload, const std::string& client) { inbox.put(client); });
+  writer.send(writer.publish_on({"/test", "std_msgs/msg/String", "", latched}), text("here"));
+  EXPECT_EQ(inbox.wait().size(), 1U);
+  const auto sockets = tests::udp_sockets_of("self");
+  EXPECT_GE(sockets.size(), 6U) << "of two participants";
+  for (const tests::UdpSocket& socket : sockets)
+    EXPECT_TRUE(socket.address == "127.0.0.1" || socket.address == "239.255.0.1")
+        << socket.address << " " << socket.port;
+}
+
+TEST(Participant, ThereIsNoSuchNetworkCard) {
+  const OwnDomain domain;
+  DomainSettings settings;
+  settings.domain = domain.number();
+  for (const char* const address : {"203.0.113.77", "lo", "here"}) {
+    settings.interface = address;
+    try {
+      const Participant participant(settings);
+      ADD_FAILURE() << address;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::invalid_input);
+      EXPECT_NE(e.message().find(address), std::string::npos) << e.message();
+      EXPECT_NE(e.message().find("found 127.0.0.1 (lo)"), std::string::npos) << e.message();
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "api/door/dds/loopback_transport.h"
+#include "api/door/dds/udp_transport.h"
 
 #include <fastdds/rtps/network/SenderResource.h>
 #include <fastdds/rtps/transport/ChainingTransport.h>
@@ -12,21 +12,24 @@ namespace {
 namespace transport = eprosima::fastdds::rtps;
 namespace rtps = eprosima::fastrtps::rtps;
 
-std::shared_ptr<transport::TransportDescriptorInterface> udp_on_loopback() {
+std::shared_ptr<transport::TransportDescriptorInterface> plain_udp(const DomainSettings& settings) {
   auto udp = std::make_shared<transport::UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList.emplace_back("127.0.0.1");
+  if (settings.is_loopback_only) udp->interfaceWhiteList.emplace_back("127.0.0.1");
+  if (!settings.interface.empty()) udp->interfaceWhiteList.push_back(settings.interface);
   return udp;
 }
 
-class LoopbackTransport final : public transport::ChainingTransport {
+class UdpTransport final : public transport::ChainingTransport {
  public:
-  explicit LoopbackTransport(const LoopbackTransportDescriptor& descriptor)
+  explicit UdpTransport(const UdpTransportDescriptor& descriptor)
       : ChainingTransport(descriptor), descriptor_(descriptor) {}
 
   transport::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
 
   bool transform_remote_locator(const rtps::Locator_t& remote,
                                 rtps::Locator_t& result) const override {
+    if (!descriptor_.is_loopback_only)
+      return ChainingTransport::transform_remote_locator(remote, result);
     if (!IsLocatorSupported(remote)) return false;
     result = remote;
     if (rtps::IPLocator::isMulticast(remote)) return true;
@@ -42,20 +45,28 @@ class LoopbackTransport final : public transport::ChainingTransport {
   void receive(transport::TransportReceiverInterface* above, const rtps::octet* bytes,
                std::uint32_t size, const rtps::Locator_t& local,
                const rtps::Locator_t& remote) override {
-    above->OnDataReceived(bytes, size, local, remote);
+    Bytes changed;
+    const auto source = [&remote] { return rtps::IPLocator::toIPv4string(remote); };
+    const Payload in =
+        descriptor_.intake->admit({bytes, size}, source, changed, std::chrono::steady_clock::now());
+    if (!in.empty())
+      above->OnDataReceived(in.data(), static_cast<std::uint32_t>(in.size()), local, remote);
   }
 
  private:
-  LoopbackTransportDescriptor descriptor_;
+  UdpTransportDescriptor descriptor_;
 };
 
 }  // namespace
 
-LoopbackTransportDescriptor::LoopbackTransportDescriptor()
-    : ChainingTransportDescriptor(udp_on_loopback()) {}
+UdpTransportDescriptor::UdpTransportDescriptor(const DomainSettings& settings,
+                                               std::shared_ptr<Intake> looks)
+    : ChainingTransportDescriptor(plain_udp(settings)),
+      is_loopback_only(settings.is_loopback_only),
+      intake(std::move(looks)) {}
 
-transport::TransportInterface* LoopbackTransportDescriptor::create_transport() const {
-  return new LoopbackTransport(*this);
+transport::TransportInterface* UdpTransportDescriptor::create_transport() const {
+  return new UdpTransport(*this);
 }
 
 }  // namespace slackwater::dds
