@@ -1,6 +1,6 @@
-"""behind_a_proxy.py CERTIFICATE SERVERS DOORS RECORDED LOG: nginx, which writes LOG, before
-`serve`, `live` and `watch` (ports of each), and before a server of this file's own that writes down
-what reaches it."""
+"""behind_a_proxy.py CERTIFICATE SERVERS DOORS RECORDED LOG MONITORED MONITOR: nginx, which writes
+LOG, before `serve`, `live` and `watch` (ports of each), and before a server of this file's own that
+writes down what reaches it; and with a door at which MONITOR may ask for metrics."""
 
 import base64
 import hashlib
@@ -36,6 +36,7 @@ SERVE, LIVE, WATCH = map(int, sys.argv[2].split())
 SERVE_DOOR, LIVE_DOOR, WATCH_DOOR = map(int, sys.argv[3].split())
 RECORDER, *RECORDED_DOORS = map(int, sys.argv[4].split())
 LOG = sys.argv[5]
+MONITORED_DOOR, MONITOR = int(sys.argv[6]), sys.argv[7]
 PASSWORD = "Authorization: Basic " + base64.b64encode(b"anna:a-word-for-tests").decode()
 WRONG = "Authorization: Basic " + base64.b64encode(b"anna:another-word").decode()
 READING = "Authorization: Bearer read-0123456789abcdef"
@@ -102,12 +103,21 @@ for target in (
     "/.git/config",
 ):
     expect(ask(SERVE_DOOR, target, UNKNOWN).status, 400, target)
-expect(ask(SERVE_DOOR, "/metrics", PASSWORD).status, 404, "/metrics from afar")
+for target in ("/metrics", "/metrics/", "/%6detrics", "/metrics?a=b"):
+    for fields in ((), (PASSWORD,), (READING,), (WRITING,)):
+        answer = ask(SERVE_DOOR, target, *fields)
+        expect((answer.status, b"<center>nginx" in answer.body), (404, True), f"{target} from afar")
 expect(requests_served() - before, 0, "requests that nginx refused and `serve` saw")
 for fields in ((PASSWORD,), (READING,)):
     for target in ("/", "/collections", "/sites", "/collections/currents/locations?f=GeoJSON"):
         expect(ask(SERVE_DOOR, target, *fields).status, 200, f"{target} with {fields[0][:21]}")
 expect(ask(SERVE_DOOR, "/health").status, 200, "/health without a password")
+# Where Prometheus is let in by its address, as the page has it.
+scraped = ask(MONITORED_DOOR, "/metrics", source=MONITOR)
+expect((scraped.status, b"slackwater_http_requests_total" in scraped.body), (200, True), "metrics")
+for fields in ((), (PASSWORD,), (READING,), (f"X-Forwarded-For: {MONITOR}",)):
+    expect(ask(MONITORED_DOOR, "/metrics", *fields).status, 403, f"/metrics with {fields}")
+expect(ask(MONITORED_DOOR, "/collections", source=MONITOR).status, 401, "the rest by a monitor")
 
 # --- who may write -------------------------------------------------------------------------------
 ASKED = b'{"made_up": "question"}'

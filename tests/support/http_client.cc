@@ -46,10 +46,21 @@ HttpClient::HttpClient(const ServerPlace& place, int receive_buffer_bytes)
     ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &receive_buffer_bytes,
                  sizeof receive_buffer_bytes);
   }
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(place.port);
-  ::inet_pton(AF_INET, place.address, &address.sin_addr);
+  const auto at = [](const char* address, std::uint16_t port) {
+    sockaddr_in found{};
+    found.sin_family = AF_INET;
+    found.sin_port = htons(port);
+    ::inet_pton(AF_INET, address, &found.sin_addr);
+    return found;
+  };
+  if (place.from != nullptr) {
+    const sockaddr_in own = at(place.from, 0);
+    if (::bind(descriptor_, reinterpret_cast<const sockaddr*>(&own), sizeof own) != 0) {
+      ::close(descriptor_);
+      throw std::runtime_error("cannot come from " + std::string(place.from));
+    }
+  }
+  const sockaddr_in address = at(place.address, place.port);
   if (::connect(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     ::close(descriptor_);
     throw std::runtime_error("cannot connect to port " + std::to_string(place.port));

@@ -25,7 +25,8 @@ struct ServerPlace {
   ServerPlace(std::uint16_t at_port, const char* at = "127.0.0.1")  // NOLINT: mostly a port
       : port(at_port), address(at) {}
   std::uint16_t port;
-  const char* address;  ///< IPv4
+  const char* address;         ///< IPv4
+  const char* from = nullptr;  ///< the client's own address, IPv4; null: the system's choice
 };
 
 /// A TCP connection that sends what it is told to, right or wrong, and reads answers

@@ -80,6 +80,12 @@ bool is_own_host(const std::string& host) {
   return http::is_loopback_host(host) || http::is_numeric_host(host);
 }
 
+/// Between two parts of long work: for who has left, no more is done.
+void expect_awaited(const Request& request) {
+  if (request.stop.stop_requested())
+    throw Error(ErrorKind::unavailable, "nobody waits for this answer any more");
+}
+
 class Service {
  public:
   Service(std::shared_ptr<IssuedFields> forecasts, std::string base_url, nlohmann::json others)
@@ -180,6 +186,7 @@ class Service {
           type != nullptr
               ? product_answer(store, *product, *type, query)
               : product_answer_at(store, *product, location_of(*catalogue, *product, path), query);
+      expect_awaited(request);
       return told(request, std::move(answer), format, in_force_max_age_s);
     }};
   }
@@ -220,7 +227,10 @@ class Service {
   Outcome answered(const Request& request, const PathParameters& path, bool of_instance,
                    MakePlan make_plan) const {
     const auto answer = [this, of_instance](const Request& asked, const Planned& planned) {
-      return told(asked, planned.plan.answer(), planned.format,
+      expect_awaited(asked);
+      Answer found = planned.plan.answer();
+      expect_awaited(asked);
+      return told(asked, std::move(found), planned.format,
                   of_instance ? issued_max_age_s : in_force_max_age_s);
     };
     const auto all_of_it = [=]() -> Response { return answer(request, make_plan(request, path)); };

@@ -21,8 +21,9 @@ bool has_kept_us_waiting(const Standing& standing, const Limits& limits, Moment 
   switch (standing.wait) {
     case Wait::says_nothing:
       return waited >= limits.patience / 10;
-    case Wait::reads_slowly:
-      return true;  // has been given its time already
+    case Wait::reads_slowly:  // has been given its time already
+    case Wait::has_said_all:
+      return true;
     case Wait::at_rest:
       break;
   }
@@ -57,23 +58,46 @@ std::vector<std::shared_ptr<Session>> those_to_displace(
   return displaced;
 }
 
-std::vector<std::shared_ptr<Session>> slow_readers(
-    const std::vector<std::shared_ptr<Session>>& sessions, std::size_t bytes) {
-  std::vector<Candidate> readers;
-  const Moment now = std::chrono::steady_clock::now();
+std::vector<std::shared_ptr<Session>> those_to_cut_off(
+    const std::vector<std::shared_ptr<Session>>& sessions, const std::string& client,
+    std::size_t bytes, const Limits& limits, Moment now) {
+  std::vector<std::shared_ptr<Session>> readers;
+  std::map<std::string, std::size_t> held{{client, 0}};
+  std::size_t all = bytes;
   for (const auto& session : sessions) {
-    const auto standing = session->standing(now);
-    if (standing && standing->wait == Wait::reads_slowly) readers.push_back({session, *standing});
+    const std::size_t of_session = session->answer_bytes();
+    if (of_session == 0) continue;
+    readers.push_back(session);
+    held[session->client()] += of_session;
+    all += of_session;
   }
-  std::sort(readers.begin(), readers.end(), [](const Candidate& a, const Candidate& b) {
-    return a.standing.answer_bytes > b.standing.answer_bytes;
-  });
+  std::sort(readers.begin(), readers.end(),
+            [](const auto& a, const auto& b) { return a->answer_bytes() > b->answer_bytes(); });
+
   std::vector<std::shared_ptr<Session>> found;
-  std::size_t held = 0;
-  for (const Candidate& one : readers) {
-    if (held >= bytes) break;
-    held += one.standing.answer_bytes;
-    found.push_back(one.session);
+  const auto cut_off = [&](std::vector<std::shared_ptr<Session>>::iterator reader) {
+    all -= (*reader)->answer_bytes();
+    held[(*reader)->client()] -= (*reader)->answer_bytes();
+    found.push_back(*reader);
+    readers.erase(reader);
+  };
+  const auto is_slow = [&](const std::shared_ptr<Session>& reader) {
+    const auto standing = reader->standing(now);
+    return standing && standing->wait == Wait::reads_slowly;
+  };
+  while (all > limits.answer_bytes) {
+    const auto slow = std::find_if(readers.begin(), readers.end(), is_slow);
+    if (slow == readers.end()) break;
+    cut_off(slow);
+  }
+  const std::size_t share = limits.answer_bytes / held.size();
+  if (held[client] + bytes > share) return found;
+  while (all > limits.answer_bytes) {
+    const auto most = std::max_element(
+        held.begin(), held.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most->second <= share) break;
+    cut_off(std::find_if(readers.begin(), readers.end(),
+                         [&](const auto& reader) { return reader->client() == most->first; }));
   }
   return found;
 }

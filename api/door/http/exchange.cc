@@ -129,7 +129,9 @@ void Exchange::log_failure(const Request& request, const std::string& what) cons
 }
 
 void Exchange::log(const Response& response, const Request& request) const {
-  if (!response.for_the_log.empty()) log_failure(request, response.for_the_log);
+  // An answer that nobody waits for ends early, and is no failure of ours.
+  if (response.for_the_log.empty() || request.stop.stop_requested()) return;
+  log_failure(request, response.for_the_log);
 }
 
 Outcome Exchange::respond(Arrival& arrival) const {

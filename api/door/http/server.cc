@@ -43,12 +43,12 @@ asio::ip::address address_of(const ServerOptions& options) {
   return address;
 }
 
-/// How many connections there is room for: as many files as the system lets us open, but for those
-/// that everything else needs.
-std::size_t connections_of(const Limits& limits) {
+/// With no more connections than the system lets us open files, but for those that everything else
+/// needs.
+Limits within_system(Limits limits) {
   constexpr rlim_t for_all_else = 128;
   rlimit files{};
-  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return limits.connections;
+  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return limits;
   const rlim_t wanted = std::min<rlim_t>(limits.connections + for_all_else, files.rlim_max);
   if (files.rlim_cur < wanted) {
     files.rlim_cur = wanted;
@@ -56,7 +56,8 @@ std::size_t connections_of(const Limits& limits) {
   }
   const rlim_t room =
       files.rlim_cur > 2 * for_all_else ? files.rlim_cur - for_all_else : files.rlim_cur / 2;
-  return std::min<std::size_t>(limits.connections, room);
+  limits.connections = std::min<std::size_t>(limits.connections, room);
+  return limits;
 }
 
 bool is_loopback(const sockaddr_storage& peer) {
@@ -92,8 +93,7 @@ std::chrono::milliseconds tick_of(const Limits& limits) {
 class Server::Running {
  public:
   Running(const ServerOptions& options, const Handler& handler)
-      : limits_(options.limits),
-        connections_(connections_of(limits_)),
+      : limits_(within_system(options.limits)),
         metrics_(options.metrics),
         exchange_(options, handler),
         short_work_(options.threads),
@@ -106,7 +106,10 @@ class Server::Running {
               metrics_.get(),
               [this](Session& s) { forget(s); },
               [this](Session& s, std::shared_ptr<Session> next) { succeed(s, std::move(next)); },
-              [this](std::size_t bytes) { close(slow_readers(all_sessions(), bytes)); }},
+              [this](const std::string& client, std::size_t bytes) {
+                close(those_to_cut_off(all_sessions(), client, bytes, limits_,
+                                       std::chrono::steady_clock::now()));
+              }},
         acceptor_(io_),
         ticker_(io_) {
     listen({address_of(options), options.port});
@@ -188,7 +191,7 @@ class Server::Running {
   }
 
   void welcome(int descriptor, const sockaddr_storage& peer) {
-    if (sessions_.size() >= connections_ + refusals_at_once) {
+    if (sessions_.size() >= limits_.connections + refusals_at_once) {
       ::close(descriptor);
       return;
     }
@@ -199,7 +202,7 @@ class Server::Running {
       ::close(descriptor);  // no memory for it, or epoll would not have it
       return;
     }
-    const bool has_room = sessions_.size() < connections_ || displace_some();
+    const bool has_room = sessions_.size() < limits_.connections || displace_some();
     sessions_.emplace(session.get(), session);
     if (has_room) {
       session->begin();
@@ -210,7 +213,7 @@ class Server::Running {
 
   /// Several at a time: looking for them takes longer than closing them.
   bool displace_some() {
-    const std::size_t most = std::max<std::size_t>(1, connections_ / 32);
+    const std::size_t most = std::max<std::size_t>(1, limits_.connections / 32);
     const auto displaced =
         those_to_displace(all_sessions(), limits_, std::chrono::steady_clock::now(), most);
     close(displaced);
@@ -278,7 +281,6 @@ class Server::Running {
   // The io_context first: what lives in it goes before it.
   asio::io_context io_{1};
   const Limits limits_;
-  const std::size_t connections_;
   std::shared_ptr<Metrics> metrics_;
   Exchange exchange_;
   WorkerPool short_work_;

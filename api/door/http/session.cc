@@ -39,6 +39,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   SocketSession(SessionSite& site, int descriptor, Peer peer)
       : site_(site),
         peer_(std::move(peer)),
+        descriptor_(descriptor),
         reader_(site.limits),
         socket_(site.io, peer_.is_ipv6 ? asio::ip::tcp::v6() : asio::ip::tcp::v4(), descriptor) {
     ErrorCode ignored;  // reset in the meantime: the first read tells
@@ -70,13 +71,16 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   std::optional<Standing> standing(Moment now) const override {
     if (state_ == State::writing) {
       if (now - since_ < time_for_a_stride) return std::nullopt;
-      return Standing{Wait::reads_slowly, since_, reply_.body.size()};
+      return Standing{Wait::reads_slowly, since_};
     }
+    if (state_ == State::handling && has_said_all()) return Standing{Wait::has_said_all, since_};
     if (state_ != State::idle && state_ != State::reading) return std::nullopt;
-    // Who was answered once and says half a request is not yet worth less.
+    // Half a request is half a request, however many were answered before it.
     const bool is_proven = answered_ > 0 && state_ == State::idle;
     return Standing{is_proven ? Wait::at_rest : Wait::says_nothing, since_};
   }
+
+  std::size_t answer_bytes() const override { return reply_.body.size(); }
 
   const std::string& client() const override { return peer_.address; }
 
@@ -187,10 +191,17 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
         });
   }
 
-  bool is_reset() {
+  /// A client that has closed its side looks like one that is gone: TCP tells no difference until
+  /// it is answered.
+  bool has_said_all() const {
     char byte = 0;
-    return ::recv(socket_.native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT) < 0 &&
-           errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR;
+    return ::recv(descriptor_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+  }
+
+  bool is_reset() const {
+    char byte = 0;
+    return ::recv(descriptor_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) < 0 && errno != EAGAIN &&
+           errno != EWOULDBLOCK && errno != EINTR;
   }
 
   /// A request as the threads of the pools know it.
@@ -226,7 +237,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
         if (reply && is_awaited) self->deliver(std::move(*reply));
       });
     };
-    pool.submit(std::move(job));
+    pool.submit(peer_.address, std::move(job));
   }
 
   void refuse(const Refusal& refusal) {
@@ -282,7 +293,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     const auto is_too_much = [&] {
       return site_.answer_bytes > 0 && site_.answer_bytes + bytes > site_.limits.answer_bytes;
     };
-    if (is_too_much()) site_.make_room(site_.answer_bytes + bytes - site_.limits.answer_bytes);
+    if (is_too_much()) site_.make_room(peer_.address, bytes);
     if (is_too_much() && bytes > small_answer_bytes) {
       return refuse({503, "Other clients are taking in " +
                               std::to_string(site_.answer_bytes >> 20U) +
@@ -357,6 +368,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
 
   SessionSite& site_;
   const Peer peer_;
+  const int descriptor_;  ///< of `socket_`
   RequestReader reader_;
   asio::ip::tcp::socket socket_;  // last of what may throw: the descriptor is ours from here on
   bool is_read_pending_ = false;

@@ -38,8 +38,8 @@ struct SessionSite {
   std::function<void(Session&)> on_closed;  ///< called once, with the session still alive
   /// Another session has taken a connection over; called instead of `on_closed`.
   std::function<void(Session&, std::shared_ptr<Session> successor)> on_succeeded;
-  /// Closes slow readers that hold so many bytes, where there are any.
-  std::function<void(std::size_t bytes)> make_room;
+  /// Closes sessions that hold answers, where one of so many bytes for `client` is worth more.
+  std::function<void(const std::string& client, std::size_t bytes)> make_room;
   std::size_t websockets = 0;    ///< open
   std::size_t answer_bytes = 0;  ///< of bodies that clients are taking in
   bool is_stopping = false;      ///< answers close their connection from now on
@@ -61,8 +61,10 @@ class Session {
   virtual void begin() = 0;
   /// Acts on a deadline that has passed: 408, 503 or the end of the connection.
   virtual void tick(Moment now) = 0;
-  /// How it waits for its client; nothing while it has work in hand.
+  /// How it waits for its client; nothing while it has work in hand for one that may say more.
   [[nodiscard]] virtual std::optional<Standing> standing(Moment now) const = 0;
+  /// Of the answer that its client takes in; 0: none.
+  [[nodiscard]] virtual std::size_t answer_bytes() const { return 0; }
   /// The address of its client, whatever the port.
   [[nodiscard]] virtual const std::string& client() const = 0;
   /// Answers 503 instead of reading.

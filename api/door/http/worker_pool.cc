@@ -11,20 +11,23 @@ WorkerPool::WorkerPool(std::size_t threads) {
 
 WorkerPool::~WorkerPool() { stop(); }
 
-void WorkerPool::submit(std::function<void()> job) {
+void WorkerPool::submit(const std::string& client, std::function<void()> job) {
   {
     const std::lock_guard lock(mutex_);
-    jobs_.push_back(std::move(job));
+    Jobs& jobs = jobs_[client];
+    if (jobs.empty()) turns_.push_back(client);
+    jobs.push_back(std::move(job));
   }
   changed_.notify_one();
 }
 
 void WorkerPool::stop() {
-  std::deque<std::function<void()>> forgotten;
+  std::map<std::string, Jobs> forgotten;
   {
     const std::lock_guard lock(mutex_);
     stopping_ = true;
     forgotten.swap(jobs_);
+    turns_.clear();
   }
   changed_.notify_all();
   for (std::thread& thread : threads_) thread.join();
@@ -36,13 +39,26 @@ void WorkerPool::work() {
     std::function<void()> job;
     {
       std::unique_lock lock(mutex_);
-      changed_.wait(lock, [&] { return stopping_ || !jobs_.empty(); });
-      if (jobs_.empty()) return;
-      job = std::move(jobs_.front());
-      jobs_.pop_front();
+      changed_.wait(lock, [&] { return stopping_ || !turns_.empty(); });
+      if (turns_.empty()) return;
+      job = take();
     }
     job();
   }
+}
+
+std::function<void()> WorkerPool::take() {
+  const auto of_client = jobs_.find(turns_.front());
+  Jobs& jobs = of_client->second;
+  std::function<void()> job = std::move(jobs.front());
+  jobs.pop_front();
+  if (jobs.empty()) {
+    jobs_.erase(of_client);
+  } else {
+    turns_.push_back(turns_.front());
+  }
+  turns_.pop_front();
+  return job;
 }
 
 }  // namespace slackwater::api::http

@@ -78,11 +78,6 @@ json paths_of(const json& all, const Example& example) {
       {"/conformance",
        operation("get_conformance", "Conformance classes", capabilities, f, "Conformance")},
       {"/api", operation("get_api", "This document", capabilities, f, "Interface")},
-      {"/health",
-       operation("get_health", "Whether the service is well", "Service", none, "Health")},
-      {"/health/fresh", operation("get_health_fresh", "Whether the forecasts are new as well",
-                                  "Service", none, "Health")},
-      {"/metrics", operation("get_metrics", "Counters for Prometheus", "Service", none, "Text")},
       {"/collections",
        operation("get_collections", "Collections", "Collection metadata", f, "Collections")}};
   paths[at] = operation("get_collection", "A collection over the forecasts in force",
@@ -111,7 +106,7 @@ json openapi_document(const std::string& base, const ForecastCatalogue& catalogu
   const json all = openapi_parameters(example, catalogue);
   json tags = json::array();
   for (const char* tag : {"Capabilities", "Collection metadata", "Instance metadata",
-                          "Collection data queries", "Instance data queries", "Service"})
+                          "Collection data queries", "Instance data queries"})
     tags.push_back({{"name", tag}});
   return {
       {"openapi", "3.0.3"},

@@ -82,8 +82,6 @@ json openapi_schemas() {
               {{"title", any_text()}, {"description", any_text()}, {"links", links}})},
       {"Conformance", object({"conformsTo"}, {{"conformsTo", array_of(any_text())}})},
       {"Interface", object({"openapi", "info", "paths"}, {{"openapi", constant("3.0.3")}})},
-      {"Health", object({"status", "uptime_s", "version"},
-                        {{"status", any_text()}, {"uptime_s", {{"type", "number"}}}})},
       {"Collection", described_collection()},
       {"Collections", object({"links", "collections"},
                              {{"links", links}, {"collections", array_of(schema("Collection"))}})},
@@ -122,8 +120,6 @@ json openapi_responses() {
       {"Instances", document("Instances", "Issued forecasts, newest first")},
       {"FeatureCollection", features("FeatureCollection", "Features")},
       {"Feature", features("Feature", "A feature")},
-      {"Health", response("How the service is", {{"application/json", schema("Health")}})},
-      {"Text", response("Text", {{"text/plain", any_text()}})},
       {"Interface", response("This document",
                              {{"application/vnd.oai.openapi+json;version=3.0", schema("Interface")},
                               {"application/json", schema("Interface")},
@@ -147,7 +143,6 @@ json openapi_responses_of(const std::string& answer) {
               {"304", openapi_reference("responses", "NotModified")}};
   for (const Refusal& refusal : refusals)
     all[refusal.status] = openapi_reference("responses", refusal.status);
-  if (answer == "Health") all["503"] = openapi_reference("responses", "Health");
   return all;
 }
 

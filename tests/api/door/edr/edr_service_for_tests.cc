@@ -65,6 +65,16 @@ bool EdrServiceForTests::takes_long(const std::string& path, const QueryPairs& q
   return false;
 }
 
+api::http::Response EdrServiceForTests::get_and_leave(const std::string& path,
+                                                      const QueryPairs& query) const {
+  api::http::Request request = request_for(path, query);
+  std::stop_source gone;
+  request.stop = gone.get_token();
+  api::http::Outcome outcome = router_(request);
+  gone.request_stop();
+  return api::http::completed(std::move(outcome));
+}
+
 json EdrServiceForTests::document(const std::string& path, const QueryPairs& query) const {
   const api::http::Response answer = get(path, query);
   EXPECT_EQ(answer.status, 200) << path << ": " << answer.body.substr(0, 400);

@@ -33,6 +33,9 @@ class EdrServiceForTests {
                                             const std::string& query) const;
   /// Whether it is left to the threads for long work; else it must be a 200.
   [[nodiscard]] bool takes_long(const std::string& path, const QueryPairs& query) const;
+  /// What becomes of a query whose client leaves before its turn comes.
+  [[nodiscard]] api::http::Response get_and_leave(const std::string& path,
+                                                  const QueryPairs& query) const;
   /// The body of an answer that must be a 200.
   [[nodiscard]] nlohmann::json document(const std::string& path,
                                         const QueryPairs& query = {}) const;

@@ -103,6 +103,18 @@ TEST(EdrHeavy, WhatTakesLongIsLeftToTheThreadsForIt) {
   EXPECT_FALSE(service().takes_long(farm + "/locations/farm", {{"z", "5"}}));
 }
 
+TEST(EdrHeavy, NoMoreIsDoneForWhoHasLeft) {
+  const QueryPairs cube{{"bbox", "2.39,57.19,2.47,57.25"},
+                        {"z", "5"},
+                        {"datetime", instant},
+                        {"parameter-name", speed},
+                        {"resolution-x", "300"},
+                        {"resolution-y", "300"}};
+  const api::http::Response left = service().get_and_leave(farm + "/cube", cube);
+  EXPECT_EQ(left.status, 503);
+  EXPECT_NE(left.body.find("nobody waits"), std::string::npos) << left.body;
+}
+
 TEST(EdrHeavy, ACubeOfOneLevelHasItOnce) {
   const auto cube = service().document(farm + "/cube", {{"bbox", "2.39,57.19,6.7,2.47,57.25,6.7"},
                                                         {"datetime", instant},

@@ -54,6 +54,12 @@ class Served {
   [[nodiscard]] HttpClient client(int receive_buffer_bytes = 0) const {
     return HttpClient(server_.port(), receive_buffer_bytes);
   }
+  /// One that comes from an address of its own, in 127.0.0.0/8.
+  [[nodiscard]] HttpClient client_from(const char* address) const {
+    ServerPlace place(server_.port());
+    place.from = address;
+    return HttpClient(place);
+  }
   [[nodiscard]] api::http::Server& server() noexcept { return server_; }
   /// Asks once, on a connection of its own.
   [[nodiscard]] std::optional<HttpReply> get(const std::string& target,
