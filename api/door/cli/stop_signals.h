@@ -3,7 +3,8 @@
 
 namespace slackwater::api {
 
-/// Blocks SIGINT and SIGTERM for this and all later threads, so that one place waits for them.
+/// Blocks SIGINT and SIGTERM for this and all later threads, so that one place waits for them. A
+/// thread that a library began before (OpenBLAS does) does not block them: it hands on what it gets.
 class StopSignals {
  public:
   StopSignals() {
@@ -13,6 +14,8 @@ class StopSignals {
     sigaddset(&set_, SIGINT);
     sigaddset(&set_, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &set_, nullptr);
+    waiting_ = pthread_self();
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, hand_on);
   }
   void wait() const {
     int signal = 0;
@@ -20,6 +23,9 @@ class StopSignals {
   }
 
  private:
+  static void hand_on(int signal) { pthread_kill(waiting_, signal); }
+
+  static inline pthread_t waiting_{};
   sigset_t set_{};
 };
 

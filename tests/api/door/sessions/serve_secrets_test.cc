@@ -66,6 +66,8 @@ TEST_F(ServeSecrets, AWarningIsGivenWhereOtherMachinesMayReachIt) {
   const std::string bare = said_at("0.0.0.0");
   EXPECT_TRUE(contains(bare, "warning open to other machines address=0.0.0.0")) << bare;
   EXPECT_TRUE(contains(bare, "without a password")) << bare;
+  EXPECT_TRUE(contains(bare, "warning monitoring is open to other machines")) << bare;
+  EXPECT_FALSE(contains(said_at("0.0.0.0", {"--monitoring", "local"}), "monitoring is open"));
   EXPECT_FALSE(contains(said_at("127.0.0.1", {"--token-file", token}), "other machines"));
 }
 
