@@ -37,8 +37,7 @@ bool is_hold(const Command& command) {
 /// Whether it puts a vehicle under the helm; a hold for want of one leaves missions alone.
 bool is_of_helm(const Command& command) {
   return std::holds_alternative<twin::Reroute>(command.what) ||
-         std::holds_alternative<twin::SetVelocity>(command.what) ||
-         std::holds_alternative<twin::SetThrusters>(command.what) ||
+         twin::must_be_renewed(command.what) ||
          std::holds_alternative<twin::GoHome>(command.what) || is_hold(command);
 }
 

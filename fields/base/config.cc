@@ -103,6 +103,21 @@ void limit_brackets(std::string_view yaml, const std::string& name) {
   }
 }
 
+/// What has no line was never in a file.
+void note_places(const YAML::Node& node, const std::string& above, KeyPlaces& places) {
+  const auto note = [&](const std::string& key, const YAML::Node& marked, const YAML::Node& value) {
+    if (!marked.Mark().is_null()) places.line.emplace(key, marked.Mark().line + 1);
+    note_places(value, key, places);
+  };
+  if (node.IsMap()) {
+    for (const auto& entry : node)
+      note((above.empty() ? "" : above + ".") + entry.first.Scalar(), entry.first, entry.second);
+  } else if (node.IsSequence()) {
+    std::size_t i = 0;
+    for (const auto& entry : node) note(above + "[" + std::to_string(i++) + "]", entry, entry);
+  }
+}
+
 std::string plain(double value) { return formatted("{:g}", value); }
 
 }  // namespace
@@ -375,6 +390,13 @@ void Config::refuse(std::string_view key, std::string_view why) const {
 }
 
 const std::string& Config::name() const noexcept { return node_->file; }
+
+KeyPlaces Config::places() const {
+  KeyPlaces places;
+  places.file = node_->file;
+  note_places(node_->yaml, node_->path, places);
+  return places;
+}
 
 std::optional<std::string> nearest_word(std::string_view word,
                                         const std::vector<std::string>& known) {

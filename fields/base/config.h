@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fields/base/key_places.h"
 #include "fields/base/yaml_value.h"
 
 namespace slackwater {
@@ -69,6 +70,8 @@ class Config {
   /// An Error about this key, with file and line, for rules between keys.
   [[noreturn]] void refuse(std::string_view key, std::string_view why) const;
   [[nodiscard]] const std::string& name() const noexcept;
+  /// Where the keys of this mapping stand, and those of all below it; counts none of them as read.
+  [[nodiscard]] KeyPlaces places() const;
 
  private:
   struct Node;

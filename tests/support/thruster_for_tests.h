@@ -26,6 +26,20 @@ full_speed_voltage_v: 11
 )");
 }
 
+/// Of the REMUS 100 (Allen, Vorus & Prestero 2000; Fossen's fit): straight lines over J. With
+/// `more` lines what else there is to say.
+[[nodiscard]] inline twin::Thruster remus_propeller(const std::string& more = "") {
+  return thruster_from(R"(kind: propeller
+propeller_diameter_m: 0.14
+open_water: {K_T: [0.4566, -0.41737], K_Q: [0.07, -0.0585], most_J: 1.09}
+wake_fraction: 0.056
+most_shaft_rad_s: 200
+rise_time_constant_s: 1
+fall_time_constant_s: 1
+motor_efficiency: 0.8
+)" + more);
+}
+
 /// The X500's.
 [[nodiscard]] inline twin::Thruster quadrotor_rotor() {
   return thruster_from(R"(kind: rotor

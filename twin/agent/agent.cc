@@ -130,19 +130,25 @@ void command_thrusters(const Agent& agent, const Effort& effort, const AgentStat
                        const Measured& measured, const Rotation<double>& r, double height_m,
                        VehicleCommand<double>& command) {
   const Vehicle& vehicle = *agent.vehicle;
-  if (vehicle.thruster.kind == ThrusterKind::table) {
-    const ThrustCurve curve(vehicle.thruster.table, state.vehicle.bus_voltage_v);
-    for (std::size_t i = 0; i < vehicle.mounts; ++i)
-      command.thruster[i] = curve.command_for(effort.thrust_n[i]);
-    return;
-  }
   ThrusterSurroundings<double> around;
   around.voltage_v = state.vehicle.bus_voltage_v;
   around.height_m = height_m;
   const Triple<double> through = measured.nu.linear - r.to_body(measured.water_m_s);
-  for (std::size_t i = 0; i < vehicle.mounts; ++i) {
-    around.advance_m_s = dot(vehicle.mount[i].direction, through);
-    command.thruster[i] = command_for(vehicle.thruster, effort.thrust_n[i], around);
+  for (std::size_t kind = 0; kind < vehicle.thrusters.size(); ++kind) {
+    const Thruster& thruster = vehicle.thrusters[kind];
+    const auto command_each = [&](const auto& command_of) {
+      for (std::size_t i = 0; i < vehicle.mounts; ++i)
+        if (vehicle.mount[i].kind == kind) command.thruster[i] = command_of(i);
+    };
+    if (thruster.kind == ThrusterKind::table) {
+      const ThrustCurve curve(thruster.table, around.voltage_v);
+      command_each([&](std::size_t i) { return curve.command_for(effort.thrust_n[i]); });
+    } else {
+      command_each([&](std::size_t i) {
+        around.advance_m_s = dot(vehicle.mount[i].direction, through);
+        return command_for(thruster, effort.thrust_n[i], around);
+      });
+    }
   }
 }
 
@@ -162,28 +168,49 @@ bool is_in_the_air(const Agent& agent, const BodyState<double>& body, double ele
          !(immersed_share(agent.vehicle->body, body.position_m.z, elevation_m) > 0);
 }
 
-/// By hand: fins amidships, mass and bladder as they are.
-void command_thrusters_by_hand(const Agent& agent, AgentState& state,
-                               const ThrusterSurroundings<double>& at_rest, bool has_water,
-                               VehicleCommand<double>& command) {
-  const Vehicle& vehicle = *agent.vehicle;
+/// For the account: what each thruster does at its command. What swims and has come out of the
+/// water pushes nothing.
+void note_commanded(const Agent& agent, const Surroundings<double>& around, AgentState& state,
+                    VehicleCommand<double>& command) {
+  if (is_in_the_air(agent, state.vehicle.body, around.water.elevation_m)) command.thruster = {};
+  ThrusterSurroundings<double> at_rest;
+  at_rest.voltage_v = state.vehicle.bus_voltage_v;
+  at_rest.height_m = around.height_above_m;
   Effort effort;
-  for (std::size_t i = 0; i < vehicle.mounts; ++i) {
-    command.thruster[i] =
-        has_water ? command_by_hand(vehicle.thruster, state.helm.thruster[i]) : 0.0;
-    effort.thrust_n[i] = run(vehicle.thruster, command.thruster[i], at_rest).thrust_n;
-  }
+  for (std::size_t i = 0; i < agent.vehicle->mounts; ++i)
+    effort.thrust_n[i] = run(thruster_of(*agent.vehicle, i), command.thruster[i], at_rest).thrust_n;
   note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
-  command.rudder_rad = command.elevator_rad = 0;
-  command.moving_mass_m = state.vehicle.moving_mass_m;
-  command.volume_m3 = state.vehicle.volume_m3;
+}
+
+/// By hand: what is not asked for is at rest, but for mass and bladder, which are as they are.
+void command_by_hand(const Agent& agent, const Surroundings<double>& around, AgentState& state,
+                     VehicleCommand<double>& command) {
+  put_asked({}, state.helm.by_hand, state.vehicle, command);
+  note_commanded(agent, around, state, command);
+}
+
+/// What a table in time has in the place of the autopilot's. @return whether there is one
+bool command_by_table(const Agent& agent, const Surroundings<double>& around, AgentState& state,
+                      VehicleCommand<double>& command) {
+  if (state.helm.is_helmed() || state.conduct.doing != Doing::task) return false;
+  const ActuatorsAsked by_table = actuators_asked(agent.mission, state.mission);
+  if (by_table.plan == nullptr) return false;
+  put_asked(*by_table.plan, *by_table.asked, state.vehicle, command);
+  note_commanded(agent, around, state, command);
+  if (!by_table.plan->keeps_any()) {
+    // What the autopilot asked for meanwhile is nothing that it learned from.
+    state.control.is_engaged = 0;
+    state.control.kept_north = state.control.kept_east = 0;
+  }
+  return true;
 }
 
 /// Asks helm or mission, the watch for headway and the autopilot.
 /// @return false where the agent halts
 bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measured& measured,
-                          const Triple<double>& stream_m_s, double t_s, double height_m,
-                          AgentState& state, VehicleCommand<double>& command) {
+                          const Triple<double>& stream_m_s, double t_s,
+                          const Surroundings<double>& around, AgentState& state,
+                          VehicleCommand<double>& command) {
   const Asked asked = asked_of(agent, seen, measured, stream_m_s, t_s, state);
   const Reference& reference = asked.reference;
   const bool has_power = std::isnan(state.milestones.power_lost_s);
@@ -195,13 +222,14 @@ bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measure
   }
   const Effort effort =
       effort_of(*agent.autopilot, asked.measured, reference, agent.plan.dt_s, state.control);
-  note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
   const Rotation<double> r = rotation_of(state.vehicle.body.attitude);
-  command_thrusters(agent, effort, state, measured, r, height_m, command);
+  command_thrusters(agent, effort, state, measured, r, around.height_above_m, command);
   command.rudder_rad = effort.rudder_rad;
   command.elevator_rad = effort.elevator_rad;
   command.moving_mass_m = effort.moving_mass_m;
   command.volume_m3 = effort.volume_m3;
+  if (!command_by_table(agent, around, state, command))
+    note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
   return true;
 }
 
@@ -324,15 +352,11 @@ bool prepare(const Agent& agent, double t_s, const Lookout& seen, AgentState& st
     if (!flies && !measured.has_log())
       measured.log_m_s = measured.nu.linear.x - r.to_body(current_m_s).x;
   }
-  if (state.helm.mode == HelmMode::thrusters) {
-    ThrusterSurroundings<double> at_rest;
-    at_rest.voltage_v = state.vehicle.bus_voltage_v;
-    at_rest.height_m = around.height_above_m;
-    const bool has_water = !is_in_the_air(agent, body, around.water.elevation_m);
-    command_thrusters_by_hand(agent, state, at_rest, has_water, input.command);
+  if (is_by_hand(state.helm.mode)) {
+    command_by_hand(agent, around, state, input.command);
   } else if (!command_by_autopilot(agent, seen, measured,
-                                   known_stream(agent, measured, current_m_s), t_s,
-                                   around.height_above_m, state, input.command)) {
+                                   known_stream(agent, measured, current_m_s), t_s, around, state,
+                                   input.command)) {
     return false;
   }
   lose_thruster(agent, t_s, input.command);

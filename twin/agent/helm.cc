@@ -15,8 +15,6 @@ constexpr double most_lead_rad = 0.35;
 constexpr double most_lead_m = 0.5;
 constexpr double most_lead_s = 1;
 
-bool is_renewed(HelmMode mode) { return mode == HelmMode::velocity || mode == HelmMode::thrusters; }
-
 Course turned(const Course& course, double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   return {course.north * c - course.east * s, course.east * c + course.north * s};
@@ -89,12 +87,12 @@ void take_helm(const HelmDue& due, double t_s, const Agent& agent, AgentState& s
   helm.mode = due.mode;
   helm.cause = due.cause;
   helm.renewed_s = t_s;
-  if (before == due.mode && is_renewed(due.mode)) return;
+  if (before == due.mode && must_be_renewed(due.mode)) return;
   helm.since_s = t_s;
   helm.is_loop = false;
   helm.rounds = 0;
   state.headway.least_at_s = -1;
-  if (before == HelmMode::thrusters) {
+  if (is_by_hand(before)) {
     // What it asked for before is long past; what pushes steadily still does.
     state.control.is_engaged = 0;
     state.control.kept_north = state.control.kept_east = 0;
@@ -158,11 +156,6 @@ Reference helm_reference(const Agent& agent, const Measured& measured,
   helm.way.route.begin_again();
   helm.way.is_rerouted = true;
   return next();
-}
-
-double command_by_hand(const Thruster& thruster, double share) noexcept {
-  const double held = std::clamp(share, -1.0, 1.0);
-  return held < 0 ? -held * std::min(thruster.least_command, 0.0) : held * thruster.most_command;
 }
 
 }  // namespace slackwater::twin

@@ -23,12 +23,9 @@ void give_back(HelmCause cause, double t_s, const Agent& agent, AgentState& stat
 /// At the opening of a step, after its commands: what is over by then.
 void mind_helm(const Agent& agent, double t_s, AgentState& state);
 
-/// The reference of a step under the helm; not of thrusters by hand.
+/// The reference of a step under the helm; not of thrusters and fins by hand.
 /// @param stream_m_s  the water, as well as the vehicle knows it, NED
 [[nodiscard]] Reference helm_reference(const Agent& agent, const Measured& measured,
                                        const Triple<double>& stream_m_s, AgentState& state);
-
-/// Thrusters by hand; see `SetThrusters` for what their numbers mean.
-[[nodiscard]] double command_by_hand(const Thruster& thruster, double share) noexcept;
 
 }  // namespace slackwater::twin

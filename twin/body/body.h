@@ -8,6 +8,37 @@ namespace slackwater::twin {
 
 inline constexpr std::size_t most_stations = 8;
 
+inline constexpr std::size_t most_cross_flow_strips = 20;
+
+/// Lift of body and fixed fins with the speed ahead, named as by SNAME and with its signs: kg/m, kg
+/// and kg m.
+struct SpeedLift {
+  bool is_there = false;
+  double y_uv = 0, y_ur = 0, n_uv = 0, n_ur = 0;
+  double z_uw = 0, z_uq = 0, m_uw = 0, m_uq = 0;
+  double k_up = 0;
+  /// The source of these numbers has no moment of the added mass in a flow from aside (Munk), nor
+  /// what belongs to it: see `munk_taken_off`.
+  bool without_munk = false;
+};
+
+/// Drag of the cross-flow, strip by strip along the hull, with its rotation: rho/2 C_d times the
+/// area of a strip.
+struct CrossFlow {
+  bool is_there = false;
+  std::size_t strips = 0;
+  std::array<double, most_cross_flow_strips> x_m{};
+  std::array<double, most_cross_flow_strips> sway_n_s2_m2{};
+  std::array<double, most_cross_flow_strips> heave_n_s2_m2{};
+};
+
+/// Resistance along one axis against motion along another. Positive opposes, as on the diagonal.
+struct CrossDamping {
+  bool is_there = false;
+  SpatialMatrix linear;                       ///< D without its diagonal
+  double y_r = 0, n_v = 0, z_q = 0, m_w = 0;  ///< of the motion times its size
+};
+
 /// A rigid body in a fluid, in body axes (forward, right, down) about the body's origin. All signs
 /// are those of one convention: masses and dampings are positive.
 struct Body {
@@ -31,6 +62,14 @@ struct Body {
   double height_m = 0;  ///< of the hull, for its coming out of the water
   double radius_m = 0;  ///< of the upright cylinder about its length and width
   FloatingHull hull;    ///< of a surface craft, which displaces no water of its own beside
+  SpeedLift speed_lift;
+  CrossFlow cross_flow;
+  CrossDamping cross_damping;
+
+  /// Whether it feels more than every body does; see lift_and_cross_flow.h.
+  [[nodiscard]] bool has_more() const noexcept {
+    return speed_lift.is_there || cross_flow.is_there || cross_damping.is_there;
+  }
 };
 
 /// What a body feels of the fluid around its centre of buoyancy, NED.

@@ -1,6 +1,7 @@
 #pragma once
 #include "fields/base/constants.h"
 #include "twin/body/body.h"
+#include "twin/body/lift_and_cross_flow.h"
 
 namespace slackwater::twin {
 
@@ -142,6 +143,8 @@ template <typename Real>
     force = force + floating_force(body.hull, body.fluid_density_kg_m3, r, state.position_m.z,
                                    forcing.waves.at_strips);
   }
+  if (body.has_more())
+    force = force + lift_and_cross_flow(body, r, nu_r, forcing.fluid.shear_per_s);
   return body.inverse_mass * force;
 }
 

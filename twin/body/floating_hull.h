@@ -19,18 +19,29 @@ struct Section {
   double second_moment_m3 = 0;  ///< of the waterline: breadth cubed/12
 };
 
-/// The hulls of a surface craft as strips across them, all of one section, whose geometry up to a
-/// waterline parallel to the deck says all that is needed. No strips: a craft that does not float.
-struct FloatingHull {
-  std::size_t strips = 0;
-  std::array<Triple<double>, most_strips> keel_m{};  ///< the lowest point of a strip, body axes
-  /// One behind the other from the stern on, `strip_length_m` apart; then comes the next hull.
+inline constexpr std::size_t most_sections = 4;
+
+/// Strips of one section, whose geometry up to a waterline parallel to the deck says all that is
+/// needed.
+struct HullPart {
+  std::size_t first = 0;   ///< of its strips
+  std::size_t strips = 0;  ///< one behind the other from the stern on, then comes the next hull
   std::size_t strips_in_row = 0;
   double strip_length_m = 0;
   double section_depth_m = 0;                     ///< from keel to deck
   std::array<Section, section_points> section{};  ///< from keel to deck, at even heights
   /// Above the keel: where a strip feels the waves, see `strip_place`.
   double felt_height_m = 0;
+};
+
+/// The hulls of a surface craft as strips across them. No strips: a craft that does not float.
+struct FloatingHull {
+  std::size_t strips = 0;
+  std::array<Triple<double>, most_strips> keel_m{};  ///< the lowest point of a strip, body axes
+  std::size_t parts = 0;
+  std::array<HullPart, most_sections> part{};
+  /// Of each strip in what the whole craft feels of the water's motion; they add up to one.
+  std::array<double, most_strips> share{};
   Triple<double> middle_m;  ///< of the strips, along x and y
   double spread_x_m2 = 0;   ///< mean square distance of the strips from it
   double spread_y_m2 = 0;
@@ -53,11 +64,12 @@ struct WaterAtStrips {
 /// the pressure at the depth A/B, its mean draught, times its breadth. Source: Salvesen, Tuck &
 /// Faltinsen (1970), whose decay is that at the draught times the area coefficient.
 template <typename Real>
-[[nodiscard]] Triple<Real> strip_place(const FloatingHull& hull, std::size_t strip,
-                                       const Rotation<Real>& r, const Triple<Real>& position_m) {
+[[nodiscard]] Triple<Real> strip_place(const FloatingHull& hull, const HullPart& part,
+                                       std::size_t strip, const Rotation<Real>& r,
+                                       const Triple<Real>& position_m) {
   const Triple<double>& keel = hull.keel_m[strip];
   return position_m + r.to_ned(Triple<Real>{Real{} + keel.x, Real{} + keel.y,
-                                            Real{} + (keel.z - hull.felt_height_m)});
+                                            Real{} + (keel.z - part.felt_height_m)});
 }
 
 /// What of the water's motion at the strips a rigid body can follow, NED: means over the strips,
@@ -73,8 +85,8 @@ template <typename Real>
 [[nodiscard]] StripMoments<Real> moments_of(const FloatingHull& hull,
                                             const std::array<Triple<Real>, most_strips>& ned) {
   StripMoments<Real> sum;
-  const double share = 1.0 / static_cast<double>(hull.strips);
   for (std::size_t i = 0; i < hull.strips; ++i) {
+    const double share = hull.share[i];
     const double x = share * (hull.keel_m[i].x - hull.middle_m.x);
     const double y = share * (hull.keel_m[i].y - hull.middle_m.y);
     const Triple<Real>& v = ned[i];
@@ -129,23 +141,24 @@ WavesMet<Real> waves_met(const FloatingHull&, WaterAtStrips<Real>&&) = delete;
 /// waterplane's own second moments (small heel: the centre of the water displaced moves to the low
 /// side). Upside down it is the rest of the section that is under water.
 /// Source: Fossen (2011) 4.2 and 5.3; Faltinsen (1990), ch. 3.
+///
+/// Adds it for the strips of one section to `sum`.
 template <typename Real>
-[[nodiscard]] Spatial<Real> floating_force(const FloatingHull& hull, double water_density_kg_m3,
-                                           const Rotation<Real>& r, const Real& down_m,
-                                           const WaterAtStrips<Real>* water) {
+void add_floating_force(const FloatingHull& hull, const HullPart& part, double water_density_kg_m3,
+                        const Rotation<Real>& r, const Real& down_m,
+                        const WaterAtStrips<Real>* water, Spatial<Real>& sum) {
   constexpr double per_gravity_s2_m = 1 / constants::gravity_m_s2;
   constexpr double last = section_points - 1;
   // Within 12 degrees of lying on its side, where a waterline up the section means little, n_z is
   // kept off 0.
   constexpr double on_its_side = 0.2;
-  const double middle_m = 0.5 * hull.section_depth_m;
-  const double per_m = last / hull.section_depth_m;
-  const double point_m = hull.section_depth_m / last;
-  const double length2_m2 = hull.strip_length_m * hull.strip_length_m / 12;
+  const double middle_m = 0.5 * part.section_depth_m;
+  const double per_m = last / part.section_depth_m;
+  const double point_m = part.section_depth_m / last;
+  const double length2_m2 = part.strip_length_m * part.strip_length_m / 12;
   const Real weight_n_m2 = Real{} + water_density_kg_m3 * constants::gravity_m_s2 *
-                                        hull.strip_length_m;  // per area of section
-  Spatial<Real> sum{};
-  for (std::size_t i = 0; i < hull.strips; ++i) {
+                                        part.strip_length_m;  // per area of section
+  for (std::size_t i = part.first; i < part.first + part.strips; ++i) {
     const Triple<double>& keel = hull.keel_m[i];
     const Triple<Real> a = water ? water->acceleration_m_s2[i] : Triple<Real>{};
     const Triple<Real> n =
@@ -167,8 +180,8 @@ template <typename Real>
       Real slope;
     };
     // A `Section` is a row of four numbers.
-    const std::array<Real, 4> below = four_entries_of(&hull.section[0].area_m2, low);
-    const std::array<Real, 4> above = four_entries_of(&hull.section[1].area_m2, low);
+    const std::array<Real, 4> below = four_entries_of(&part.section[0].area_m2, low);
+    const std::array<Real, 4> above = four_entries_of(&part.section[1].area_m2, low);
     const auto look_up = [&](std::size_t of) -> Entry {
       const Real step = above[of] - below[of];
       return {below[of] + share * step, per_m * step};
@@ -184,9 +197,9 @@ template <typename Real>
     const Real eased =
         is_cut * (0.5 * (across.slope * heeled2 + along.slope * trimmed2)) * per_upright;
     const Real area_under =
-        select(n.z < 0.0, hull.section[section_points - 1].area_m2 - area, area) + eased;
+        select(n.z < 0.0, part.section[section_points - 1].area_m2 - area, area) + eased;
     const Real moment_under =
-        select(n.z < 0.0, hull.section[section_points - 1].moment_m3 - moment, moment) +
+        select(n.z < 0.0, part.section[section_points - 1].moment_m3 - moment, moment) +
         height * eased;
     const Triple<Real> by_n{is_cut * (length2_m2 * along.value) * n.x, is_cut * across.value * n.y,
                             -moment_under};
@@ -195,13 +208,22 @@ template <typename Real>
     sum = sum + Spatial<Real>{weight_n_m2 * at_keel.linear,
                               weight_n_m2 * (at_keel.angular + cross(n, by_n))};
   }
+}
+
+template <typename Real>
+[[nodiscard]] Spatial<Real> floating_force(const FloatingHull& hull, double water_density_kg_m3,
+                                           const Rotation<Real>& r, const Real& down_m,
+                                           const WaterAtStrips<Real>* water) {
+  Spatial<Real> sum{};
+  for (std::size_t i = 0; i < hull.parts; ++i)
+    add_floating_force(hull, hull.part[i], water_density_kg_m3, r, down_m, water, sum);
   return sum;
 }
 
-/// `hulls` of a vehicle's YAML: cylinders (`radius_m`) or boxes with a deadrise (`beam_m`,
-/// `depth_m`, `deadrise_deg`), `from_x_m` to `to_x_m`, at each of `centre_y_m`, `keel_z_m` below
-/// the origin, cut into `strips` each. Waves shorter than two strips are not told from longer ones:
-/// six or more to a hull.
+/// `hulls` of a vehicle's YAML, a mapping or a list of up to four, each with its own section:
+/// cylinders (`radius_m`) or boxes with a deadrise (`beam_m`, `depth_m`, `deadrise_deg`),
+/// `from_x_m` to `to_x_m`, at each of `centre_y_m`, `keel_z_m` below the origin, cut into `strips`
+/// each. Waves shorter than two strips are not told from longer ones: six or more to a hull.
 [[nodiscard]] FloatingHull read_floating_hull(const Config& vehicle);
 
 /// How far below the surface the origin of a craft at rest lies, level, in still water; negative
@@ -210,7 +232,11 @@ template <typename Real>
 [[nodiscard]] double floating_depth_m(const FloatingHull& hull, double mass_kg,
                                       double water_density_kg_m3);
 
-/// `felt_height_m` of a hull that floats with its keel this far under water.
-[[nodiscard]] double felt_height_m(const FloatingHull& hull, double draught_m);
+/// The section at a draught, by the table's own linear steps.
+[[nodiscard]] Section section_at(const HullPart& part, double draught_m);
+
+/// Tells a hull how deep it floats, its origin this far below the surface: where its strips feel
+/// the waves, and what share of them each has where sections differ.
+void settle(FloatingHull& hull, double down_m);
 
 }  // namespace slackwater::twin

@@ -9,10 +9,10 @@
 namespace slackwater::twin {
 namespace {
 
-WaveRow row_of(const FloatingHull& hull, std::size_t first, const Rotation<double>& r,
-               const Triple<double>& position_m, double t_s) {
-  const Vector3<Enu> at = enu_of(strip_place(hull, first, r, position_m));
-  const Vector3<Enu> step = enu_of(r.to_ned({hull.strip_length_m, 0, 0}));
+WaveRow row_of(const FloatingHull& hull, const HullPart& part, std::size_t first,
+               const Rotation<double>& r, const Triple<double>& position_m, double t_s) {
+  const Vector3<Enu> at = enu_of(strip_place(hull, part, first, r, position_m));
+  const Vector3<Enu> step = enu_of(r.to_ned({part.strip_length_m, 0, 0}));
   return {{at.x(), at.y(), at.z(), t_s}, step.x(), step.y(), step.z()};
 }
 
@@ -22,11 +22,14 @@ WaterAtStrips<double> waves_at_strips(const SeaRealisation& sea, double t_s,
                                       const FloatingHull& hull, const BodyState<double>& state) {
   const Rotation<double> r = rotation_of(state.attitude);
   std::array<WaveSample, most_strips> samples;
-  // A hull that does not say is looked at strip by strip.
-  const std::size_t in_row = std::max<std::size_t>(hull.strips_in_row, 1);
-  for (std::size_t first = 0; first < hull.strips; first += in_row)
-    sample_row(sea, row_of(hull, first, r, state.position_m, t_s),
-               std::span(samples).subspan(first, in_row));
+  for (std::size_t p = 0; p < hull.parts; ++p) {
+    const HullPart& part = hull.part[p];
+    // One that does not say is looked at strip by strip.
+    const std::size_t in_row = std::max<std::size_t>(part.strips_in_row, 1);
+    for (std::size_t first = part.first; first < part.first + part.strips; first += in_row)
+      sample_row(sea, row_of(hull, part, first, r, state.position_m, t_s),
+                 std::span(samples).subspan(first, in_row));
+  }
   WaterAtStrips<double> water;
   for (std::size_t i = 0; i < hull.strips; ++i) {
     const WaveSample& sample = samples[i];

@@ -1,10 +1,13 @@
 #include "twin/control/autopilot.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "fields/base/check.h"
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
+#include "twin/body/lift_and_cross_flow.h"
 #include "twin/body/mass_matrix.h"
 #include "twin/control/control_laws.h"
 
@@ -53,10 +56,13 @@ void expect_steerable(const Autopilot& a) {
       return;
     case VehicleKind::auv:
       expect_axes(a, {Axis::surge}, "the propeller of an auv pushes it ahead; none does");
-      if (!(a.fin_moment_n_m_s2_m2 > 0))
-        throw Error(ErrorKind::invalid_input,
-                    "fins: an auv is steered by fins aft of its origin; give fins with a negative "
-                    "position_x_m");
+      for (const auto& [key, turns_n_m_s2_m2] :
+           {std::pair{"rudder", a.rudder_n_m_s2_m2}, {"elevator", a.elevator_n_m_s2_m2}})
+        if (!(turns_n_m_s2_m2 > 0))
+          throw Error(ErrorKind::invalid_input,
+                      std::string(key) +
+                          ": an auv is steered by a rudder and an elevator aft of its origin; give "
+                          "both, or `fins` for a pair of each, with a negative position_x_m");
       return;
     case VehicleKind::usv:
     case VehicleKind::vessel:
@@ -64,6 +70,15 @@ void expect_steerable(const Autopilot& a) {
                   "the thrusters of a surface craft push it ahead and turn it; these do not. Two "
                   "side by side do both");
   }
+}
+
+/// Of the trailing edge, or of `lift` with the moment that the added mass has besides (C_A).
+double straightening_kg_m(const Body& body) {
+  const double of_edge = body.trailing_edge_kg_m * body.trailing_edge_x_m * body.trailing_edge_x_m;
+  const SpeedLift& lift = body.speed_lift;
+  if (!lift.is_there) return of_edge;
+  const double of_added_mass = lift.without_munk ? 0 : body.added_mass.entry[1][5];
+  return std::max(of_edge - lift.n_ur + of_added_mass, 0.0);
 }
 
 /// Where thrust and resistance meet.
@@ -95,10 +110,11 @@ void close_loops(Autopilot& a) {
     tilting = 0.1 * a.weight_n * arm / std::max(a.mass.entry[3][3], a.mass.entry[4][4]);
     turning = 2;
   } else if (a.kind == VehicleKind::auv) {
-    const double fins =
-        a.fin_moment_n_m_s2_m2 * a.fins.stall_rad * s.most_speed_m_s * s.most_speed_m_s;
-    turning = fins / a.mass.entry[5][5];
-    tilting = fins / a.mass.entry[4][4];
+    const auto stalled_n_m = [&](double moment_n_m_s2_m2, const FinPair& fins) {
+      return moment_n_m_s2_m2 * fins.stall_rad * s.most_speed_m_s * s.most_speed_m_s;
+    };
+    turning = stalled_n_m(a.rudder_n_m_s2_m2, a.rudder) / a.mass.entry[5][5];
+    tilting = stalled_n_m(a.elevator_n_m_s2_m2, a.elevator) / a.mass.entry[4][4];
     down = 0;
   }
   a.horizontal = loop_of(s.horizontal_period_s, ratio, sideways);
@@ -197,15 +213,20 @@ Autopilot plan_autopilot(const AutopilotSettings& settings, VehicleKind kind, co
   a.added_mass = {added[0][0], added[1][1], added[2][2]};
   a.lag_s = actuators.lag_s;
   a.linear_damping = body.linear_damping;
-  a.quadratic_damping = body.quadratic_damping;
-  a.straightening_kg_m = body.trailing_edge_kg_m * body.trailing_edge_x_m * body.trailing_edge_x_m;
+  a.quadratic_damping = resistance_along_axes(body);
+  a.straightening_kg_m = straightening_kg_m(body);
   a.weight_n = body.mass_kg * constants::gravity_m_s2;
   a.righting_n_m = a.weight_n * (body.centre_of_gravity_m.z - body.centre_of_buoyancy_m.z);
   a.tan_most_tilt = std::tan(settings.most_tilt_rad);
-  a.fins = actuators.fins;
+  a.rudder = actuators.rudder;
+  a.elevator = actuators.elevator;
   a.trim = actuators.trim;
-  a.fin_moment_n_m_s2_m2 = -0.5 * body.fluid_density_kg_m3 * a.fins.area_m2 *
-                           a.fins.lift_slope_per_rad * a.fins.position_x_m;
+  const auto moment_n_m_s2_m2 = [&](const FinPair& fins) {
+    return -0.5 * body.fluid_density_kg_m3 * fins.area_m2 * fins.lift_slope_per_rad *
+           fins.position_x_m;
+  };
+  a.rudder_n_m_s2_m2 = moment_n_m_s2_m2(a.rudder);
+  a.elevator_n_m_s2_m2 = moment_n_m_s2_m2(a.elevator);
   a.displacement_n_m3 = body.fluid_density_kg_m3 * constants::gravity_m_s2;
   expect_steerable(a);
   if (!(a.settings.most_speed_m_s > 0))

@@ -13,7 +13,8 @@ namespace slackwater::twin {
 struct Actuators {
   std::span<const Mount> mounts;
   std::span<const ThrustRange> ranges;
-  Fins fins{};
+  FinPair rudder{};
+  FinPair elevator{};
   Trim trim{};
   double lag_s = 0;  ///< of the thrusters behind what they are asked for
 };
@@ -35,12 +36,15 @@ struct Autopilot {
   double lag_s = 0;
   Spatial<double> linear_damping;
   Spatial<double> quadratic_damping;
-  double straightening_kg_m = 0;  ///< yaw moment per rate and speed of the hull's trailing edge
+  double straightening_kg_m = 0;  ///< yaw moment per rate and speed: of a trailing edge, or -N_ur
   double weight_n = 0;
   double righting_n_m = 0;  ///< moment per sine of roll or pitch
   double tan_most_tilt = 0;
-  double fin_moment_n_m_s2_m2 = 0;  ///< per radian and square of the speed; 0: no fins
-  Fins fins;
+  /// What they turn it with, per radian and square of the speed; 0: none.
+  double rudder_n_m_s2_m2 = 0;
+  double elevator_n_m_s2_m2 = 0;
+  FinPair rudder;
+  FinPair elevator;
   Trim trim;
   double displacement_n_m3 = 0;  ///< weight of displaced fluid per volume
 };
@@ -55,9 +59,9 @@ struct Autopilot {
 ///
 ///   (N_r + m_t x_t^2 u) r + N_|r|r r^2 = M,
 ///
-/// with m_t and x_t of its trailing edge, at the way that the thrust beside that moment keeps up;
-/// or that of the yaw rate it is allowed. The drift of a turning hull is left out; it helps: the
-/// crew transfer vessel turns within 351 m of 498. Infinite where nothing turns it.
+/// with m_t and x_t of its trailing edge (or -N_ur of `lift`), at the way that the thrust beside
+/// that moment keeps up; or that of the yaw rate it is allowed. A turning hull's drift is left out;
+/// it helps: the crew transfer vessel turns within 351 m of 498. Infinite where nothing turns it.
 [[nodiscard]] double tightest_turn_m(const Autopilot& autopilot, double speed_m_s) noexcept;
 
 /// Craft that must turn to where they go are driven astern by no more than this of their largest

@@ -43,7 +43,7 @@ Way way_of(const Autopilot& a, const Measured& measured, const Reference& refere
 /// Dives and climbs by pitching, the elevator at first and the moving mass in the long run.
 /// @return the elevator
 double pitch_to(const Autopilot& a, const Measured& measured, const Outset& outset, double down_m_s,
-                double ahead_m_s, double fin_n_m, double dt_s, ControlState& state) noexcept {
+                double ahead_m_s, double elevator_n_m, double dt_s, ControlState& state) noexcept {
   const double way = std::max(ahead_m_s, a.settings.least_speed_m_s);
   const double most_sine = std::min(a.tan_most_tilt, 0.9);
   const double asked = -(down_m_s + state.dive_m_s) / way;
@@ -54,8 +54,8 @@ double pitch_to(const Autopilot& a, const Measured& measured, const Outset& outs
   const double moment = a.mass.entry[4][4] * push + a.righting_n_m * sine +
                         a.quadratic_damping.angular.y * std::abs(pitch_rate) * pitch_rate;
   const double most_trim = a.trim.moving_mass_kg * constants::gravity_m_s2 * a.trim.travel_m;
-  const double elevator = (moment - state.trim_n_m) / fin_n_m;
-  const double bounded = std::clamp(elevator, -a.fins.limit_rad, a.fins.limit_rad);
+  const double elevator = (moment - state.trim_n_m) / elevator_n_m;
+  const double bounded = std::clamp(elevator, -a.elevator.limit_rad, a.elevator.limit_rad);
   integrate(a.tilt, lacking, push, elevator == bounded ? 1.0 : 0.0, dt_s, state.pitch_rad_s2);
   state.trim_n_m = std::clamp(state.trim_n_m + dt_s / trim_time_s * (moment - state.trim_n_m),
                               -most_trim, most_trim);
@@ -92,7 +92,8 @@ Effort steer_by_fins(const Autopilot& a, const Measured& measured, const Referen
   const Way way = way_of(a, measured, reference, wanted, outset, dt_s, state);
   const AheadLoop ahead = ahead_loop(a, measured, way, dt_s, state);
   const double steering = std::max(ahead.through_m_s, s.least_speed_m_s);
-  const double fin_n_m = a.fin_moment_n_m_s2_m2 * steering * steering;
+  const double rudder_n_m = a.rudder_n_m_s2_m2 * steering * steering;
+  const double elevator_n_m = a.elevator_n_m_s2_m2 * steering * steering;
   const double push = acceleration_of(a.horizontal, ahead.lacking_m_s, state.surge_m_s2);
   const Thrusts thrusts = allocate(a.allocation, {{push_ahead_n(a, way, push, state), 0, 0}, {}});
   integrate(a.horizontal, ahead.lacking_m_s, push, thrusts.share[0], dt_s, state.surge_m_s2);
@@ -104,15 +105,15 @@ Effort steer_by_fins(const Autopilot& a, const Measured& measured, const Referen
   const double yaw_push = acceleration_of(a.heading, yaw_lacking, state.yaw_rad_s2);
   const double rudder = (a.mass.entry[5][5] * yaw_push +
                          a.quadratic_damping.angular.z * std::abs(yaw_rate) * yaw_rate) /
-                        fin_n_m;
+                        rudder_n_m;
 
   Effort effort;
   effort.thrust_n = thrusts.thrust_n;
-  effort.rudder_rad = std::clamp(rudder, -a.fins.limit_rad, a.fins.limit_rad);
+  effort.rudder_rad = std::clamp(rudder, -a.rudder.limit_rad, a.rudder.limit_rad);
   integrate(a.heading, yaw_lacking, yaw_push, rudder == effort.rudder_rad ? 1.0 : 0.0, dt_s,
             state.yaw_rad_s2);
   effort.elevator_rad =
-      pitch_to(a, measured, outset, wanted.z, ahead.through_m_s, fin_n_m, dt_s, state);
+      pitch_to(a, measured, outset, wanted.z, ahead.through_m_s, elevator_n_m, dt_s, state);
   if (a.trim.moving_mass_kg > 0)  // forward of its middle it puts the bow down
     effort.moving_mass_m = -state.trim_n_m / (a.trim.moving_mass_kg * constants::gravity_m_s2);
   if (way.ahead_m_s < s.least_speed_m_s && !way.is_over_ground)

@@ -12,8 +12,7 @@ namespace slackwater::twin {
 namespace {
 
 Keeping keeping_of(const CommandWhat& what) {
-  if (std::holds_alternative<SetVelocity>(what) || std::holds_alternative<SetThrusters>(what))
-    return Keeping::renewed;
+  if (must_be_renewed(what)) return Keeping::renewed;
   if (const auto* reroute = std::get_if<Reroute>(&what))
     return reroute->loop ? Keeping::loop : Keeping::waypoints;
   return Keeping::asked;

@@ -6,6 +6,7 @@
 #include "twin/agent/agent.h"
 #include "twin/control/velocity_range.h"
 #include "twin/scene/structure.h"
+#include "twin/vehicle/actuator_channels.h"
 
 namespace slackwater::twin {
 namespace {
@@ -78,12 +79,11 @@ Answer look_at_age(const Command& command, const Agent& agent,
     return no(RefusalReason::out_of_range,
               formatted("found sequence {}, expected at most {}; count from 1", command.sequence,
                         most_sequence));
-  const bool is_renewed = std::holds_alternative<SetVelocity>(command.what) ||
-                          std::holds_alternative<SetThrusters>(command.what);
-  if (!is_renewed || std::abs(now_s - command.received_s) <= limits.oldest_s) return std::nullopt;
+  if (!must_be_renewed(command.what) || std::abs(now_s - command.received_s) <= limits.oldest_s)
+    return std::nullopt;
   return no(RefusalReason::stale,
-            formatted("came in at {:g} s of the run, and now it is {:g} s: velocity and thrusters "
-                      "are valid for {:g} s; send a new one",
+            formatted("came in at {:g} s of the run, and now it is {:g} s: velocity, thrusters and "
+                      "actuators are valid for {:g} s; send a new one",
                       command.received_s, now_s, limits.oldest_s));
 }
 
@@ -99,6 +99,33 @@ Answer look_at_thrusters(const SetThrusters& set, const Agent& agent) {
       return no(RefusalReason::out_of_range,
                 formatted("thruster {}: found {:g}, expected -1 to 1", i + 1, set.share[i]));
   return std::nullopt;
+}
+
+Answer look_at_actuators(const SetActuators& set, const Agent& agent) {
+  const Vehicle& vehicle = *agent.vehicle;
+  const std::string has = formatted("a {} has {}", vehicle.name, channel_names(vehicle));
+  bool has_any = false;
+  for (std::size_t i = 0; i < most_channels; ++i) {
+    if (!set.given.has(i)) continue;
+    has_any = true;
+    const auto channel = channel_of(vehicle, i);
+    if (!channel)
+      return no(RefusalReason::out_of_range,
+                formatted("actuators: found channel {}, and {}; name those", i + 1, has));
+    const double value = set.given.value[i];
+    if (!std::isfinite(value))
+      return no(RefusalReason::not_finite,
+                formatted("{}: found {}, expected a finite number", channel->name, value));
+    const double least = set.is_physical ? channel->least : -1;
+    const double most = set.is_physical ? channel->most : 1;
+    if (set.is_physical ? channel->reaches(value) : std::abs(value) <= 1) continue;
+    return no(RefusalReason::out_of_range,
+              formatted("{}: found {:g}, expected {:g} to {:g} {}", channel->name, value, least,
+                        most, set.is_physical ? symbol_of(channel->unit) : "of its range"));
+  }
+  if (has_any) return std::nullopt;
+  return no(RefusalReason::wrong_count,
+            formatted("actuators: found none, expected one at least: {}", has));
 }
 
 Answer look_at_velocity(const SetVelocity& set, const Agent& agent) {
@@ -290,6 +317,8 @@ std::optional<Refusal> refusal_of(const Command& command, const Agent& agent,
   if (Answer answer = look_at_numbers(command.what)) return answer;
   if (const auto* set = std::get_if<SetThrusters>(&command.what))
     return look_at_thrusters(*set, agent);
+  if (const auto* set = std::get_if<SetActuators>(&command.what))
+    return look_at_actuators(*set, agent);
   if (const auto* set = std::get_if<SetVelocity>(&command.what))
     return look_at_velocity(*set, agent);
   if (const auto* reroute = std::get_if<Reroute>(&command.what))

@@ -6,13 +6,14 @@
 
 #include "twin/agent/aboard.h"
 #include "twin/agent/helm.h"
+#include "twin/vehicle/actuator_channels.h"
 
 namespace slackwater::twin {
 namespace {
 
 constexpr std::array<std::string_view, std::variant_size_v<CommandWhat>> names{
-    "waypoints", "put",  "velocity", "thrusters", "hold",   "home",
-    "resume",    "host", "spawn",    "camera",    "weather"};
+    "waypoints", "put",  "velocity", "thrusters", "hold",    "home",
+    "resume",    "host", "spawn",    "camera",    "weather", "actuators"};
 
 /// What is done, with whom and when.
 struct Doer {
@@ -31,8 +32,13 @@ struct Doer {
   }
   void operator()(const SetThrusters& set) const {
     take({HelmMode::thrusters, HelmCause::asked});
-    state.helm.thruster = {};
-    std::copy(set.share.begin(), set.share.end(), state.helm.thruster.begin());
+    ActuatorValues given;
+    for (std::size_t i = 0; i < set.share.size(); ++i) given.give(i, set.share[i]);
+    state.helm.by_hand = in_units(*agent.vehicle, given, false);
+  }
+  void operator()(const SetActuators& set) const {
+    take({HelmMode::actuators, HelmCause::asked});
+    state.helm.by_hand = in_units(*agent.vehicle, set.given, set.is_physical);
   }
   void operator()(const HoldHere& hold) const {
     if (!hold.is_client_lost) return take({HelmMode::hold, HelmCause::asked});
@@ -65,6 +71,23 @@ struct Doer {
   void take(const HelmDue& due) const { take_helm(due, t_s, agent, state); }
 };
 
+std::string_view unsoundness_of_actuators(const SetActuators& set, const Vehicle& vehicle) {
+  bool has_any = false;
+  for (std::size_t i = 0; i < most_channels; ++i) {
+    if (!set.given.has(i)) continue;
+    has_any = true;
+    const auto channel = channel_of(vehicle, i);
+    if (!channel) return "actuators of a command are of the vehicle";
+    const double value = set.given.value[i];
+    if (!std::isfinite(value)) return "an actuator's value is finite";
+    if (set.is_physical && !channel->reaches(value))
+      return "an actuator's value is within its range";
+    if (!set.is_physical && !(std::abs(value) <= 1))
+      return "shares of actuators are within -1 and 1";
+  }
+  return has_any ? "" : "a command of actuators names one at least";
+}
+
 bool moves_vehicle(const CommandWhat& what) {
   return std::holds_alternative<PutVehicle>(what) || std::holds_alternative<HostPhysics>(what);
 }
@@ -74,8 +97,13 @@ bool moves_vehicle(const CommandWhat& what) {
 std::string_view name_of(const CommandWhat& what) noexcept { return names[what.index()]; }
 
 bool leads_elsewhere(const CommandWhat& what) noexcept {
-  return std::holds_alternative<Reroute>(what) || std::holds_alternative<SetVelocity>(what) ||
-         std::holds_alternative<SetThrusters>(what) || std::holds_alternative<HoldHere>(what);
+  return std::holds_alternative<Reroute>(what) || must_be_renewed(what) ||
+         std::holds_alternative<HoldHere>(what);
+}
+
+bool must_be_renewed(const CommandWhat& what) noexcept {
+  return std::holds_alternative<SetVelocity>(what) || std::holds_alternative<SetThrusters>(what) ||
+         std::holds_alternative<SetActuators>(what);
 }
 
 std::string_view unsoundness_of(const Command& command, const Agent& agent) noexcept {
@@ -90,6 +118,8 @@ std::string_view unsoundness_of(const Command& command, const Agent& agent) noex
     if (by_hand->share.size() != agent.vehicle->mounts) return "thrusters have a share each";
     for (const double share : by_hand->share)
       if (!(std::abs(share) <= 1)) return "thrusters are within -1 and 1";
+  } else if (const auto* set_actuators = std::get_if<SetActuators>(&command.what)) {
+    return unsoundness_of_actuators(*set_actuators, *agent.vehicle);
   } else if (const auto* camera = std::get_if<PointCamera>(&command.what)) {
     const auto& [pan_rad, tilt_rad, zoom] = camera->pointing;
     if (!(std::abs(pan_rad) <= most_pan_rad)) return "a camera pans within -180 and 180 degrees";

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fields/base/boxed.h"
+#include "twin/body/actuator_values.h"
 #include "twin/environment/weather_in_hand.h"
 #include "twin/run/newcomer.h"
 
@@ -44,6 +45,15 @@ struct SetVelocity {
 /// neither clearance nor limits look at them.
 struct SetThrusters {
   std::vector<double> share;
+};
+
+/// Thrusters, fins and ballast by their channels (twin/vehicle/actuator_channels.h), each as a
+/// share of its range, -1 to 1, or in its own unit. Renewed, stopped and looked at as
+/// `SetThrusters`. Thrusters that are not named stand still and fins amidships; a moving mass and a
+/// bladder that are not named stay as they are.
+struct SetActuators {
+  ActuatorValues given;
+  bool is_physical = false;  ///< else shares
 };
 
 /// Keep this place: where the vehicle takes itself to be. Craft that cannot stand still circle it.
@@ -90,7 +100,7 @@ struct SetWeather {
 };
 
 using CommandWhat = std::variant<Reroute, PutVehicle, SetVelocity, SetThrusters, HoldHere, GoHome,
-                                 Resume, HostPhysics, Spawn, PointCamera, SetWeather>;
+                                 Resume, HostPhysics, Spawn, PointCamera, SetWeather, SetActuators>;
 
 /// What is done to a vehicle from outside while a run goes on. A value: the list of those that a
 /// run took makes the run again.
@@ -111,10 +121,13 @@ struct Command {
 /// home.
 [[nodiscard]] bool leads_elsewhere(const CommandWhat& what) noexcept;
 
-/// What of its numbers no vehicle can follow: waypoints, velocities or thrusters that are not
-/// finite, thrusters beyond 1 or of another number than the vehicle's, a camera beyond its joints.
-/// Empty: nothing, as for a vehicle that joins, which was looked at when it was made ready, and for
-/// the weather, which is looked at with its environment.
+/// Whether it is in force only while it is renewed, within `HelmRule::renewal_s`.
+[[nodiscard]] bool must_be_renewed(const CommandWhat& what) noexcept;
+
+/// What of its numbers no vehicle can follow: waypoints, velocities, thrusters or actuators that
+/// are not finite, beyond their range, of another number than the vehicle's or not of it, a camera
+/// beyond its joints. Empty: nothing, as for a vehicle that joins, which was looked at when it was
+/// made ready, and for the weather, which is looked at with its environment.
 [[nodiscard]] std::string_view unsoundness_of(const Command& command, const Agent& agent) noexcept;
 
 /// A vehicle that has halted, or stands on a deck, stays as it is; one whose energy is needed for

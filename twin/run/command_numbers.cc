@@ -72,6 +72,10 @@ struct Writer {
   }
   void operator()(const SetVelocity& set) { append(set.velocity, numbers); }
   void operator()(const SetThrusters& set) { numbers = set.share; }
+  void operator()(const SetActuators& set) {
+    numbers.push_back(set.is_physical ? 1 : 0);
+    append(set.given, numbers);
+  }
   void operator()(const HoldHere& hold) { numbers.push_back(hold.is_client_lost ? 1 : 0); }
   void operator()(const GoHome&) {}
   void operator()(const Resume&) {}
@@ -118,6 +122,12 @@ CommandWhat read(Reader& reader) {
     return set;
   }
   if (kind == name_of(CommandWhat{SetVelocity{}})) return SetVelocity{reader.take<HelmVelocity>()};
+  if (kind == name_of(CommandWhat{SetActuators{}})) {
+    SetActuators set;
+    set.is_physical = reader.flag();
+    set.given = reader.take<ActuatorValues>();
+    return set;
+  }
   if (kind == name_of(CommandWhat{HoldHere{}})) return HoldHere{reader.flag()};
   if (kind == name_of(CommandWhat{GoHome{}})) return GoHome{};
   if (kind == name_of(CommandWhat{Resume{}})) return Resume{};

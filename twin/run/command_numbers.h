@@ -15,6 +15,8 @@ namespace slackwater::twin {
 // |                       | 1 where that is over ground, else 0                                 |
 // | velocity              | surge, sway, heave (m/s, down), yaw rate (rad/s)                    |
 // | thrusters             | a share each                                                        |
+// | actuators             | 1 for values in units, 0 for shares; a value for each of the 12     |
+// |                       | channels; 1 for each that is given one, else 0                      |
 // | hold                  | 1 where the client was lost, else 0                                 |
 // | home, resume          | none                                                                |
 // | put                   | `VehicleState<double>` as it lies in memory                         |

@@ -53,6 +53,8 @@ void expect_speeds(const ScenarioVehicle& entry, const Agent& agent) {
   std::size_t task = 0;
   for (const ScenarioTask& t : entry.tasks) {
     ++task;
+    if (t.table && t.table->speed_m_s)
+      expect_speed(agent, {*t.table->speed_m_s, false}, t.table->place.text + ": ");
     std::size_t number = 0;
     for (const Waypoint& waypoint : t.waypoints) {
       ++number;

@@ -22,6 +22,12 @@ Mission mission_of(const Vehicle& vehicle, const Autopilot& autopilot, const Sce
   mission.tasks = entry.tasks;
   mission.guidance = guidance_for(autopilot, entry.speed_m_s.value_or(vehicle.cruise_speed_m_s),
                                   entry.is_speed_over_ground);
+  for (std::size_t i = 0; i < entry.tasks.size(); ++i) {
+    if (!entry.tasks[i].table) continue;
+    mission.actuators.resize(entry.tasks.size());
+    mission.actuators[i] =
+        plan_actuators(*entry.tasks[i].table, vehicle, mission.guidance.speed_m_s);
+  }
   mission.pursuit.gain_per_s = std::min(mission.pursuit.gain_per_s, autopilot.station_per_s);
   mission.pursuit.most_speed_m_s =
       top_speed_m_s(vehicle, autopilot, voltage_v, !(entry.held_voltage_v > 0));
@@ -32,6 +38,14 @@ Mission mission_of(const Vehicle& vehicle, const Autopilot& autopilot, const Sce
         entry.follower == FollowerChoice::paper ? paper_follower() : public_follower();
   }
   return mission;
+}
+
+/// Of the slowest of its thrusters.
+double longest_rise_s(const Vehicle& vehicle) {
+  double longest_s = 0;
+  for (const Thruster& thruster : vehicle.thrusters)
+    longest_s = std::max(longest_s, thruster.rise_time_constant_s);
+  return longest_s;
 }
 
 /// What a thruster gives at rest on a bus of this voltage.
@@ -62,12 +76,13 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
   double voltage_v = entry.held_voltage_v;
   if (!(voltage_v > 0) && vehicle->battery)
     voltage_v = rest_voltage_v(*vehicle->battery, rested(*vehicle->battery, 0.5));
-  const ThrustRange range = range_of(vehicle->thruster, voltage_v);
-  const std::vector<ThrustRange> ranges(vehicle->mounts, range);
+  std::vector<ThrustRange> ranges;
+  for (std::size_t i = 0; i < vehicle->mounts; ++i)
+    ranges.push_back(range_of(thruster_of(*vehicle, i), voltage_v));
   agent.autopilot = std::make_shared<const Autopilot>(
       plan_autopilot(settings, vehicle->kind, vehicle->body,
-                     {std::span(vehicle->mount).first(vehicle->mounts), ranges, vehicle->fins,
-                      vehicle->trim, vehicle->thruster.rise_time_constant_s}));
+                     {std::span(vehicle->mount).first(vehicle->mounts), ranges, vehicle->rudder,
+                      vehicle->elevator, vehicle->trim, longest_rise_s(*vehicle)}));
   expect_strength(*vehicle, *agent.autopilot);
   agent.mission = mission_of(*vehicle, *agent.autopilot, entry, voltage_v);
   // What circles for ever by design, or hangs on a tether, is not what water carries off.

@@ -72,7 +72,7 @@ inline constexpr bool is_numbers<HelmVelocity> = true;
 template <>
 inline constexpr bool is_numbers<CameraPointing> = true;
 template <>
-inline constexpr bool is_numbers<HandThrusters> = true;
+inline constexpr bool is_numbers<ActuatorValues> = true;
 
 template <typename S, typename T>
 concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
@@ -134,14 +134,14 @@ void for_each_member(S& s, Visit&& visit) {
 
 template <MaybeConst<HelmState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
-  auto& [mode, cause, since_s, renewed_s, velocity, thruster, way, is_loop, rounds, heading,
-         depth_m, start_m, camera] = s;
+  auto& [mode, cause, since_s, renewed_s, velocity, by_hand, way, is_loop, rounds, heading, depth_m,
+         start_m, camera] = s;
   visit("mode", mode);
   visit("cause", cause);
   visit("since_s", since_s);
   visit("renewed_s", renewed_s);
   visit("velocity", velocity);
-  visit("thruster", thruster);
+  visit("by_hand", by_hand);
   visit("way", way);
   visit("is_loop", is_loop);
   visit("rounds", rounds);
@@ -153,12 +153,13 @@ void for_each_member(S& s, Visit&& visit) {
 
 template <MaybeConst<MissionState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
-  auto& [task, has_begun, is_done, held_s, kept_m, kept_heading, route, is_rerouted,
+  auto& [task, has_begun, is_done, held_s, row, kept_m, kept_heading, route, is_rerouted,
          waypoints_taken, follower, followed_yaw_rad, track_drift_m_s, offset_m] = s;
   visit("task", task);
   visit("has_begun", has_begun);
   visit("is_done", is_done);
   visit("held_s", held_s);
+  visit("row", row);
   visit("kept_m", kept_m);
   visit("kept_heading", kept_heading);
   visit("route", route);

@@ -130,10 +130,14 @@ ScenarioTask read_task(const Config& config) {
   } else if (kind == "follow_track") {
     task.kind = ScenarioTask::Kind::follow_track;
     task.follow = read_track_to_follow(config);
+  } else if (kind == "actuators") {
+    task.kind = ScenarioTask::Kind::actuators;
+    task.hold_s = read_seconds(config, "duration", {0.001, 30 * 86400.0});
+    task.table = read_actuator_table(config, task.hold_s);
   } else {
     config.refuse("do", "found " + kind +
                             ", expected route, hold, lawn_mower, orbit, depth_sweep, "
-                            "follow_track, aboard or stand_by");
+                            "follow_track, aboard, stand_by or actuators");
   }
   if (const auto word = config.optional_text("phase")) {
     const auto phase = phase_of(*word);

@@ -87,8 +87,26 @@ const char* name_of(ScenarioTask::Kind kind) {
       return "aboard";
     case ScenarioTask::Kind::stand_by:
       return "stand_by";
+    case ScenarioTask::Kind::actuators:
+      return "actuators";
   }
   return "";
+}
+
+void put_table(const ActuatorTable& table, YamlValue& value) {
+  std::vector<std::string> keep;
+  if (table.keeps_depth) keep.emplace_back("depth");
+  if (table.keeps_heading) keep.emplace_back("heading");
+  if (table.keeps_speed) keep.emplace_back("speed");
+  if (!keep.empty()) value.put("keep", YamlValue::words(keep));
+  if (table.speed_m_s) value.put("speed_m_s", *table.speed_m_s);
+  std::vector<YamlValue> rows;
+  for (const ActuatorRow& row : table.rows) {
+    YamlValue& entry = rows.emplace_back();
+    entry.put("at_s", row.at_s);
+    for (const auto& [key, of] : row.setting) entry.put(key, of);
+  }
+  value.put("table", std::move(rows));
 }
 
 YamlValue task_value(const ScenarioTask& task) {
@@ -125,6 +143,10 @@ YamlValue task_value(const ScenarioTask& task) {
         value.put("battery", "charge").put("charger_w", task.charger_w);
       return value;
     case Kind::stand_by:
+      return value;
+    case Kind::actuators:
+      put_duration();
+      put_table(*task.table, value);
       return value;
   }
   return value;

@@ -16,6 +16,8 @@ const char* name_of(HelmMode mode) noexcept {
       return "hold";
     case HelmMode::home:
       return "home";
+    case HelmMode::actuators:
+      return "actuators";
   }
   return "unknown";
 }
@@ -46,6 +48,7 @@ HelmDue helm_due(const HelmRule& rule, HelmMode mode, HelmCause cause, double si
   switch (mode) {
     case HelmMode::velocity:
     case HelmMode::thrusters:
+    case HelmMode::actuators:
       if (now_s - renewed_s >= rule.renewal_s - soon_s)
         return {HelmMode::hold, HelmCause::not_renewed};
       break;

@@ -1,8 +1,7 @@
 #pragma once
-#include <array>
 #include <cstdint>
 
-#include "twin/body/actuators.h"
+#include "twin/body/actuator_values.h"
 #include "twin/sensor/camera_pointing.h"
 #include "twin/state/helm_rule.h"
 #include "twin/state/mission.h"
@@ -19,9 +18,6 @@ struct HelmVelocity {
   double yaw_rate_rad_s = 0;  ///< to starboard
 };
 
-/// Of each thruster; those that a vehicle has not are 0.
-using HandThrusters = std::array<double, most_mounts>;
-
 /// What somebody outside has made of a vehicle: what is in force, since when. A value, part of
 /// `AgentState`; times are of the run.
 struct HelmState {
@@ -30,7 +26,7 @@ struct HelmState {
   double since_s = 0;    ///< the mode
   double renewed_s = 0;  ///< the last command of that mode
   HelmVelocity velocity;
-  HandThrusters thruster{};  ///< -1 to 1, see `SetThrusters`
+  ActuatorValues by_hand;    ///< in units, see `SetThrusters` and `SetActuators`
   MissionState way;          ///< of waypoints, a hold and the way home; its tasks are none
   bool is_loop = false;      ///< after the last waypoint comes the first
   std::uint64_t rounds = 0;  ///< of a loop, made whole

@@ -66,6 +66,27 @@ bool waits(const ScenarioTask& task) {
          task.kind == ScenarioTask::Kind::stand_by;
 }
 
+const ActuatorPlan* plan_of(const Mission& mission, const MissionState& state) noexcept {
+  if (state.is_rerouted || state.is_done || state.task >= mission.actuators.size()) return nullptr;
+  const ActuatorPlan& plan = mission.actuators[state.task];
+  return plan.is_there() ? &plan : nullptr;
+}
+
+/// What is kept while actuators go by a table; of the rest what is, so that nothing acts for it.
+Reference kept(const ActuatorPlan& plan, const Measured& measured, const MissionState& state) {
+  const double ahead_m_s = measured.has_log() ? measured.log_m_s : measured.nu.linear.x;
+  Reference reference;
+  reference.target = Target::cruise;
+  reference.position_m = measured.position_m;
+  if (plan.keeps_depth) reference.position_m.z = state.kept_m.z;
+  reference.heading = plan.keeps_heading ? state.kept_heading : bow_course(measured.attitude);
+  if (plan.keeps_speed)
+    reference.velocity_m_s = {plan.speed_m_s, 0, 0};
+  else
+    reference.velocity_m_s = {ahead_m_s, measured.nu.linear.y, 0};
+  return reference;
+}
+
 void begin_task(const Mission& mission, const Measured& measured, const Triple<double>& offset_m,
                 MissionState& state) {
   const ScenarioTask& task = mission.tasks[state.task];
@@ -78,6 +99,13 @@ void begin_task(const Mission& mission, const Measured& measured, const Triple<d
   }
   if (task.kind == ScenarioTask::Kind::follow_track) {
     state.track_drift_m_s = {};
+    return;
+  }
+  if (task.kind == ScenarioTask::Kind::actuators) {
+    if (state.task == 0) state.kept_m = measured.position_m;
+    state.kept_heading = bow_course(measured.attitude);
+    state.route = {};
+    state.row = 0;
     return;
   }
   const Triple<double>& from_m = state.task == 0 ? measured.position_m : state.kept_m;
@@ -106,6 +134,12 @@ MissionState nothing_to_do(const Measured& measured) {
   way.task = static_cast<std::size_t>(-1);
   way.is_done = true;
   return way;
+}
+
+ActuatorsAsked actuators_asked(const Mission& mission, const MissionState& state) noexcept {
+  const ActuatorPlan* const plan = plan_of(mission, state);
+  if (plan == nullptr || !state.has_begun) return {};
+  return {plan, &plan->steps[state.row].asked};
 }
 
 bool drifts(const Mission& mission, const MissionState& state) noexcept {
@@ -138,6 +172,22 @@ Reference next_reference(const Mission& mission, const Measured& over_ground,
       state.kept_m = {wanted.position_m.x, wanted.position_m.y, state.kept_m.z};
       state.kept_heading = bow_course(measured.attitude);
       return pursued(mission, measured, wanted, dt_s, state);
+    }
+    if (const ActuatorPlan* const plan = plan_of(mission, state)) {
+      constexpr double soon_s = 1e-6;  // what rounding leaves of a number of steps
+      if (state.held_s >= task->hold_s - soon_s) {
+        // What comes next begins where it is.
+        const double kept_z = plan->keeps_depth ? state.kept_m.z : over_ground.position_m.z;
+        state.kept_m = {over_ground.position_m.x, over_ground.position_m.y, kept_z};
+        state.kept_heading = bow_course(measured.attitude);
+        end_task(mission, state);
+        continue;
+      }
+      while (state.row + 1 < plan->steps.size() &&
+             state.held_s >= plan->steps[state.row + 1].at_s - soon_s)
+        ++state.row;
+      state.held_s += dt_s;
+      return kept(*plan, measured, state);
     }
     const bool holds = state.is_done || waits(mission.tasks[state.task]);
     if (holds && !state.is_rerouted) {

@@ -6,6 +6,7 @@
 #include "twin/control/moving_frame.h"
 #include "twin/control/waypoint_follower.h"
 #include "twin/scenario/scenario.h"
+#include "twin/state/actuator_plan.h"
 #include "twin/traffic/pursuit.h"
 
 namespace slackwater::twin {
@@ -18,6 +19,8 @@ struct Mission {
   bool has_follower = false;
   WaypointFollower follower;
   Pursuit pursuit;  ///< of tracks
+  /// Of each task, where any goes by a table of actuators; of the others none is there.
+  std::vector<ActuatorPlan> actuators;
 };
 
 /// How far it has come.
@@ -25,7 +28,8 @@ struct MissionState {
   std::size_t task = 0;
   bool has_begun = false;  ///< the task
   bool is_done = false;    ///< all tasks; the vehicle keeps its last place
-  double held_s = 0;       ///< of a hold
+  double held_s = 0;       ///< of a hold, or of a table of actuators
+  std::size_t row = 0;     ///< of that table, in force
   Triple<double> kept_m;   ///< where the vehicle is held
   Course kept_heading;
   Route route;
@@ -51,11 +55,20 @@ void end_task(const Mission& mission, MissionState& state);
 /// Whether what is done now is in the frame of the vehicle's datum.
 [[nodiscard]] bool drifts(const Mission& mission, const MissionState& state) noexcept;
 
+/// What actuators do by a table in this step, and its plan.
+struct ActuatorsAsked {
+  const ActuatorPlan* plan = nullptr;  ///< null: none is under way
+  const ActuatorValues* asked = nullptr;
+};
+[[nodiscard]] ActuatorsAsked actuators_asked(const Mission& mission,
+                                             const MissionState& state) noexcept;
+
 /// The reference of a step, and moves the mission on: takes waypoints that are reached, goes to the
 /// next task when one is done. On a route the place is the foot of the vehicle on its leg and the
 /// velocity that of the leg; after its end, and in a hold, it is a station. A track is followed in
 /// time while it is known: before it begins and where it is silent the vehicle waits, and where it
-/// ends so does the task.
+/// ends so does the task. While actuators go by a table, velocity, heading and depth are those to
+/// be kept, and of what is not kept those that the vehicle has.
 /// A task that drifts is done in the frame of the datum, and so is its reference; the place that is
 /// kept after it is over ground.
 /// @param t_s    since the run's epoch

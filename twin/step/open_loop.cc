@@ -49,8 +49,7 @@ class StraightAndLevel {
   [[nodiscard]] Forcing<double> forcing(const BodyState<double>& at) const {
     Forcing<double> forcing;
     forcing.tau = held_;
-    if (vehicle_.fins.area_m2 > 0)
-      forcing.tau = forcing.tau + fins_force(vehicle_, at.nu, 0.0, 0.0);
+    if (has_fins(vehicle_)) forcing.tau = forcing.tau + fins_force(vehicle_, at.nu, 0.0, 0.0);
     return forcing;
   }
   [[nodiscard]] Spatial<double> accelerated(const BodyState<double>& at) const {

@@ -49,7 +49,9 @@ struct Surroundings {
 /// What a step of a given length needs of a vehicle, worked out once.
 struct StepPlan {
   double dt_s = 0;
-  LagStep thruster;
+  std::array<LagStep, most_thruster_kinds> thruster;  ///< of each kind
+  double rudder_step = 1;  ///< share of its way to what is asked that a lag lets it go in a step
+  double elevator_step = 1;
   BatteryStep battery;
   double held_voltage_v = 0;  ///< above 0: the bus is held there and the battery left out
 };

@@ -9,10 +9,11 @@ template <typename Real>
   return smaller_of(larger_of(value, Real{} + low), Real{} + high);
 }
 
-/// Moved towards what is wanted by at most `most`.
+/// Moved towards what is wanted by a share of the way, and by at most `most`.
 template <typename Real>
-[[nodiscard]] Real approached(const Real& value, const Real& wanted, double most) {
-  return value + held_within(Real{wanted - value}, -most, most);
+[[nodiscard]] Real approached(const Real& value, const Real& wanted, double most,
+                              double share = 1) {
+  return value + held_within(Real{share * (wanted - value)}, -most, most);
 }
 
 /// A force in body axes that a number of the vehicle times a fixed direction gives.
@@ -30,7 +31,7 @@ struct FinForce {
   Real drag_n{};
 };
 template <typename Real>
-[[nodiscard]] FinForce<Real> fin_force(const Fins& fins, double density_kg_m3,
+[[nodiscard]] FinForce<Real> fin_force(const FinPair& fins, double density_kg_m3,
                                        const Real& angle_rad, const Real& speed2) {
   const Real coefficient =
       fins.lift_slope_per_rad * held_within(angle_rad, -fins.stall_rad, fins.stall_rad);
@@ -38,25 +39,39 @@ template <typename Real>
   return {pressure_n * coefficient, pressure_n * (fins.drag_factor * (coefficient * coefficient))};
 }
 
-/// Rudder (positive: bow to starboard) and elevator (positive: bow up), body axes about the origin;
-/// the angles of attack are small or stalled, so that the sine of the drift stands for it.
+/// Rudder (positive: bow to starboard) and elevator (positive: bow up), body axes about the origin,
+/// each in the flow of its place along the hull; the angles of attack are small or stalled, so that
+/// the sine of the drift stands for it. A fin turned in the wake of its hull may have another lift
+/// slope than one that the flow meets aslant: the drift counts by `passive_share`.
 template <typename Real>
 [[nodiscard]] Spatial<Real> fins_force(const Vehicle& vehicle, const Spatial<Real>& nu_r,
                                        const Real& rudder_rad, const Real& elevator_rad) {
-  const Fins& fins = vehicle.fins;
-  const Real v = nu_r.linear.y + fins.position_x_m * nu_r.angular.z;
-  const Real w = nu_r.linear.z - fins.position_x_m * nu_r.angular.y;
-  const Real u2 = nu_r.linear.x * nu_r.linear.x;
-  const Real flow = square_root(u2 + v * v + w * w) + 1e-9;
   const double density = vehicle.body.fluid_density_kg_m3;
-  const Real across2 = u2 + v * v;
-  const Real above2 = u2 + w * w;
-  const FinForce<Real> rudder = fin_force(fins, density, Real{rudder_rad + v / flow}, across2);
-  const FinForce<Real> elevator = fin_force(fins, density, Real{elevator_rad - w / flow}, above2);
+  const Real u2 = nu_r.linear.x * nu_r.linear.x;
   const Real way = select(nu_r.linear.x < 0.0, Real{} - 1.0, Real{} + 1.0);
-  return force_at(
-      Triple<Real>{Real{} + fins.position_x_m, Real{}, Real{}},
-      Triple<Real>{-(way * (rudder.drag_n + elevator.drag_n)), -rudder.lift_n, elevator.lift_n});
+  const auto across_at = [&](double x) -> Real { return nu_r.linear.y + x * nu_r.angular.z; };
+  const auto down_at = [&](double x) -> Real { return nu_r.linear.z - x * nu_r.angular.y; };
+  const auto speed_of = [&](const Real& v, const Real& w) -> Real {
+    return square_root(u2 + v * v + w * w) + 1e-9;
+  };
+  const auto at = [](double x) -> Triple<Real> { return {Real{} + x, Real{}, Real{}}; };
+
+  const double rudder_x = vehicle.rudder.position_x_m;
+  const Real v = across_at(rudder_x);
+  const Real drift = v / speed_of(v, down_at(rudder_x));
+  const FinForce<Real> rudder =
+      fin_force(vehicle.rudder, density, Real{rudder_rad + vehicle.rudder.passive_share * drift},
+                Real{u2 + v * v});
+
+  const double elevator_x = vehicle.elevator.position_x_m;
+  const Real w = down_at(elevator_x);
+  const Real sinking = w / speed_of(across_at(elevator_x), w);
+  const FinForce<Real> elevator =
+      fin_force(vehicle.elevator, density,
+                Real{elevator_rad - vehicle.elevator.passive_share * sinking}, Real{u2 + w * w});
+
+  return force_at(at(rudder_x), Triple<Real>{-(way * rudder.drag_n), -rudder.lift_n, Real{}}) +
+         force_at(at(elevator_x), Triple<Real>{-(way * elevator.drag_n), Real{}, elevator.lift_n});
 }
 
 /// What the thrusters did in a step.
@@ -89,9 +104,9 @@ template <typename Real>
     around.voltage_v = plan.held_voltage_v > 0 ? Real{} + plan.held_voltage_v : state.bus_voltage_v;
     around.height_m = height_m;
     const Lagged<Real> lag =
-        lagged(plan.thruster, state.thruster[i], Real{is_on * command.thruster[i]});
+        lagged(plan.thruster[mount.kind], state.thruster[i], Real{is_on * command.thruster[i]});
     state.thruster[i] = lag.end;
-    ThrusterOutput<Real> thruster = run(vehicle.thruster, lag.mean, around);
+    ThrusterOutput<Real> thruster = run(thruster_of(vehicle, mount), lag.mean, around);
     // Without a battery behind it a shaft that still turns pushes nothing.
     thruster.thrust_n = is_on * thruster.thrust_n;
     state.thrust_n[i] = thruster.thrust_n;
@@ -160,14 +175,16 @@ void step(const Vehicle& vehicle, const StepPlan& plan, VehicleState<Real>& stat
   const auto led = [&](const Real& now, const Real& wanted) -> Real {
     return select(state.battery.off > 0.5, now, wanted);
   };
-  if (vehicle.fins.area_m2 > 0) {
-    const Fins& fins = vehicle.fins;
-    const auto turned = [&](const Real& now, const Real& wanted) -> Real {
+  if (has_fins(vehicle)) {
+    const auto turned = [&](const FinPair& fins, double share, const Real& now,
+                            const Real& wanted) -> Real {
       return led(now, approached(now, held_within(wanted, -fins.limit_rad, fins.limit_rad),
-                                 fins.rate_rad_s * plan.dt_s));
+                                 fins.rate_rad_s * plan.dt_s, share));
     };
-    state.rudder_rad = turned(state.rudder_rad, command.rudder_rad);
-    state.elevator_rad = turned(state.elevator_rad, command.elevator_rad);
+    state.rudder_rad =
+        turned(vehicle.rudder, plan.rudder_step, state.rudder_rad, command.rudder_rad);
+    state.elevator_rad =
+        turned(vehicle.elevator, plan.elevator_step, state.elevator_rad, command.elevator_rad);
     forcing.tau = forcing.tau + fins_force(vehicle, nu_r, state.rudder_rad, state.elevator_rad);
   }
   const Trim& trim = vehicle.trim;

@@ -27,6 +27,13 @@ double command_for(const ThrustTable& table, double thrust_n,
                               : rest_thrust_n(table.disc_kg_m, thrust_n, around.advance_m_s));
 }
 
+double command_for(const Propeller& propeller, double thrust_n, double advance_m_s) {
+  const OpenWater& water = propeller.open_water;
+  if (water.is_known()) return shaft_for(water, thrust_n / water.thrust_share, advance_m_s);
+  const double thrust_n_s2 = thrust_n < 0 ? propeller.astern_thrust_n_s2 : propeller.thrust_n_s2;
+  return std::copysign(std::sqrt(std::abs(thrust_n) / thrust_n_s2), thrust_n);
+}
+
 double command_for(const Thruster& thruster, double thrust_n,
                    const ThrusterSurroundings<double>& around) {
   const auto limited = [&](double command) {
@@ -36,8 +43,7 @@ double command_for(const Thruster& thruster, double thrust_n,
     case ThrusterKind::table:
       return command_for(thruster.table, thrust_n, around);
     case ThrusterKind::propeller:
-      return limited(
-          std::copysign(std::sqrt(std::abs(thrust_n) / thruster.propeller.thrust_n_s2), thrust_n));
+      return limited(command_for(thruster.propeller, thrust_n, around.advance_m_s));
     case ThrusterKind::rotor: {
       const Rotor& rotor = thruster.rotor;
       if (!(thrust_n > 0)) return thruster.least_command;

@@ -5,25 +5,16 @@
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/curve/named_file.h"
+#include "twin/thruster/read_propeller.h"
 #include "twin/thruster/thruster.h"
 
 namespace slackwater::twin {
 namespace {
 
-constexpr Range diameter_range{0.01, 10};
-constexpr Range efficiency_range{0.01, 1};
-constexpr Range speed_range{0.1, 1e4};
-
-double disc_area_m2(double diameter_m) { return constants::pi * diameter_m * diameter_m / 4; }
-
 /// 2 rho A of a propeller in the fluid that the file names by its density.
 double read_disc(const Config& c, double diameter_m, double density_kg_m3) {
   return 2 * c.optional_number("fluid_density_kg_m3", {0.5, 1100}).value_or(density_kg_m3) *
          disc_area_m2(diameter_m);
-}
-
-double read_full_speed_voltage(const Config& c) {
-  return c.optional_number("full_speed_voltage_v", {1, 2000}).value_or(0);
 }
 
 /// Power of a loss-free disc over the power said to be drawn must be one a propeller has: catches
@@ -166,22 +157,6 @@ void read_table(const Config& c, Thruster& thruster) {
 
 // ---- formulas
 
-void read_propeller(const Config& c, Thruster& thruster) {
-  Propeller& propeller = thruster.propeller;
-  const double diameter_m = c.number("propeller_diameter_m", diameter_range);
-  const double density = c.optional_number("fluid_density_kg_m3", {0.5, 1100})
-                             .value_or(constants::sea_water_density_kg_m3);
-  // Of T = Kt rho D^4 w^2 with w in rad/s: that of n in 1/s over 4 pi^2.
-  propeller.thrust_n_s2 =
-      c.number("thrust_coefficient_per_rad2", {1e-5, 0.025}) * density * std::pow(diameter_m, 4);
-  propeller.disc_kg_m = 2 * density * disc_area_m2(diameter_m);
-  propeller.efficiency = c.number("efficiency", efficiency_range);
-  propeller.most_rad_s = c.number("most_shaft_rad_s", speed_range);
-  propeller.full_speed_voltage_v = read_full_speed_voltage(c);
-  thruster.least_command = -propeller.most_rad_s;
-  thruster.most_command = propeller.most_rad_s;
-}
-
 void read_rotor(const Config& c, Thruster& thruster) {
   Rotor& rotor = thruster.rotor;
   const double diameter_m = c.number("propeller_diameter_m", diameter_range);
@@ -191,7 +166,7 @@ void read_rotor(const Config& c, Thruster& thruster) {
   rotor.torque_arm_m = c.number("torque_arm_m", {0, 1});
   rotor.efficiency = c.number("efficiency", efficiency_range);
   rotor.drag_n_s2_m = c.optional_number("drag_n_s2_m", {0, 1}).value_or(0);
-  rotor.most_rad_s = c.number("most_shaft_rad_s", speed_range);
+  rotor.most_rad_s = c.number("most_shaft_rad_s", shaft_speed_range);
   rotor.full_speed_voltage_v = read_full_speed_voltage(c);
   // Thrust coefficient T/(rho A (w R)^2); 0.02 and more would be beyond any blade, 1e-4 no lift at
   // all.

@@ -16,7 +16,7 @@ enum class ThrusterKind {
   drive,      ///< commanded by thrust
 };
 
-/// What pushes a vehicle; all of its mounts have the same. Of the four the one of its kind is used.
+/// What pushes a vehicle at one or more of its mounts. Of the four the one of its kind is used.
 struct Thruster {
   ThrusterKind kind = ThrusterKind::table;
   double rise_time_constant_s = 0;  ///< of the lag behind the command, towards greater ones

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "twin/vehicle/level_flight.h"
 
 namespace slackwater::twin {
 namespace {
@@ -16,49 +19,78 @@ using constants::degree;
 
 double weight_n(const Vehicle& vehicle) { return vehicle.body.mass_kg * gravity_m_s2; }
 
-/// The section of a hull at a draught, by the table's own linear steps.
-Section section_at(const FloatingHull& hull, double draught_m) {
-  const double place = (section_points - 1) * draught_m / hull.section_depth_m;
-  const auto low =
-      static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(section_points - 2)));
-  const double share = place - static_cast<double>(low);
-  const Section& a = hull.section[low];
-  const Section& b = hull.section[low + 1];
-  const auto between = [&](double x, double y) { return x + share * (y - x); };
-  return {between(a.area_m2, b.area_m2), between(a.moment_m3, b.moment_m3),
-          between(a.breadth_m, b.breadth_m), between(a.second_moment_m3, b.second_moment_m3)};
+/// What the strips of a craft that floats level add up to.
+struct AfloatSums {
+  double volume_m3 = 0;
+  Triple<double> volume_at_m;  ///< sum of volume times place of its centre
+  double area_m2 = 0;          ///< of the waterline
+  double area_x_m3 = 0, area_y_m3 = 0;
+  double along_m4 = 0, across_m4 = 0;  ///< second moments of the waterline about the origin
+};
+
+AfloatSums afloat_sums(const FloatingHull& hull, double down_m) {
+  AfloatSums sum;
+  for (std::size_t p = 0; p < hull.parts; ++p) {
+    const HullPart& part = hull.part[p];
+    const double length_m = part.strip_length_m;
+    for (std::size_t i = part.first; i < part.first + part.strips; ++i) {
+      const Triple<double>& keel = hull.keel_m[i];
+      if (down_m + keel.z <= 0) continue;
+      const Section section = section_at(part, down_m + keel.z);
+      const double volume = length_m * section.area_m2;
+      const double area = length_m * section.breadth_m;
+      sum.volume_m3 += volume;
+      sum.volume_at_m.x += volume * keel.x;
+      sum.volume_at_m.y += volume * keel.y;
+      sum.volume_at_m.z += volume * keel.z - length_m * section.moment_m3;
+      sum.area_m2 += area;
+      sum.area_x_m3 += area * keel.x;
+      sum.area_y_m3 += area * keel.y;
+      sum.along_m4 += area * (keel.x * keel.x + length_m * length_m / 12);
+      sum.across_m4 += area * keel.y * keel.y + length_m * section.second_moment_m3;
+    }
+  }
+  return sum;
 }
 
 Balance afloat(const Vehicle& vehicle) {
   const Body& body = vehicle.body;
   const FloatingHull& hull = body.hull;
-  const double keel_m = hull.keel_m[0].z;
+  const double down_m = floating_depth_m(hull, body.mass_kg, body.fluid_density_kg_m3);
+  const AfloatSums sum = afloat_sums(hull, down_m);
+  const Triple<double> buoyancy_m = (1 / sum.volume_m3) * sum.volume_at_m;
+  // About the centre of the waterline, where a craft turns that keeps its displacement.
+  const double middle_x_m = sum.area_x_m3 / sum.area_m2;
+  const double middle_y_m = sum.area_y_m3 / sum.area_m2;
+  const double along_m4 = sum.along_m4 - middle_x_m * sum.area_x_m3;
+  const double across_m4 = sum.across_m4 - middle_y_m * sum.area_y_m3;
   Balance balance;
-  balance.draught_m = keel_m + floating_depth_m(hull, body.mass_kg, body.fluid_density_kg_m3);
-  const Section section = section_at(hull, balance.draught_m);
-  const double strips = static_cast<double>(hull.strips);
-  const double length_m = hull.strip_length_m;
-  const double volume_m3 = strips * length_m * section.area_m2;
-  const double across_m4 =
-      strips * length_m * (section.second_moment_m3 + section.breadth_m * hull.spread_y_m2);
-  const double along_m4 =
-      strips * length_m * section.breadth_m * (hull.spread_x_m2 + length_m * length_m / 12);
-  const double below_gravity_m =
-      section.moment_m3 / section.area_m2 - (keel_m - body.centre_of_gravity_m.z);
-  balance.stability_m = below_gravity_m + across_m4 / volume_m3;
-  balance.stability_long_m = below_gravity_m + along_m4 / volume_m3;
-  const double aside_m = body.centre_of_gravity_m.y - hull.middle_m.y;
-  const double ahead_m = body.centre_of_gravity_m.x - hull.middle_m.x;
+  const double below_gravity_m = body.centre_of_gravity_m.z - buoyancy_m.z;
+  balance.stability_m = below_gravity_m + across_m4 / sum.volume_m3;
+  balance.stability_long_m = below_gravity_m + along_m4 / sum.volume_m3;
+  const double aside_m = body.centre_of_gravity_m.y - buoyancy_m.y;
+  const double ahead_m = body.centre_of_gravity_m.x - buoyancy_m.x;
   if (balance.stability_m > 0) balance.heel_rad = std::atan(aside_m / balance.stability_m);
   if (balance.stability_long_m > 0)
     balance.trim_rad = std::atan(ahead_m / balance.stability_long_m);
+  balance.aside_m = aside_m;
+  balance.ahead_m = ahead_m;
   double forward_m = 0, outward_m = 0;
-  for (std::size_t i = 0; i < hull.strips; ++i) {
-    forward_m = std::max(forward_m, std::abs(hull.keel_m[i].x - hull.middle_m.x) + 0.5 * length_m);
-    outward_m = std::max(outward_m, std::abs(hull.keel_m[i].y - hull.middle_m.y));
+  double level_m = std::numeric_limits<double>::infinity();  // freeboard
+  for (std::size_t p = 0; p < hull.parts; ++p) {
+    const HullPart& part = hull.part[p];
+    for (std::size_t i = part.first; i < part.first + part.strips; ++i) {
+      const Triple<double>& keel = hull.keel_m[i];
+      balance.draught_m = std::max(balance.draught_m, keel.z + down_m);
+      balance.keel_m = std::max(balance.keel_m, keel.z);
+      level_m = std::min(level_m, part.section_depth_m - (keel.z + down_m));
+      forward_m = std::max(forward_m, std::abs(keel.x - middle_x_m) + 0.5 * part.strip_length_m);
+      outward_m = std::max(outward_m, std::abs(keel.y - middle_y_m));
+      const double half_m = 0.5 * section_at(part, std::max(keel.z + down_m, 0.0)).breadth_m;
+      balance.beam_m = std::max(balance.beam_m, 2 * (std::abs(keel.y - middle_y_m) + half_m));
+    }
   }
-  balance.least_freeboard_m = hull.section_depth_m - balance.draught_m -
-                              std::abs(std::tan(balance.trim_rad)) * forward_m -
+  balance.least_freeboard_m = level_m - std::abs(std::tan(balance.trim_rad)) * forward_m -
                               std::abs(std::tan(balance.heel_rad)) * outward_m;
   return balance;
 }
@@ -87,23 +119,59 @@ struct Findings {
   void warning(const char* key, std::string what) { all.push_back({false, key, std::move(what)}); }
 };
 
-/// The vertical force that an AUV bears by pitching at a speed, at a share of its steepest pitch.
-/// Its autopilot makes up for no more sinking than three tenths of its most speed.
-double borne_n(const Vehicle& vehicle, double speed_m_s, double share) {
-  const AutopilotSettings& s = vehicle.autopilot;
-  const double most_m_s = s.most_speed_m_s > 0 ? s.most_speed_m_s : vehicle.cruise_speed_m_s;
-  const double sine = std::min(std::tan(s.most_tilt_rad), 0.9);
-  const double down_m_s = std::min(share * sine * speed_m_s, 0.3 * most_m_s);
-  return (vehicle.body.linear_damping.linear.z +
-          vehicle.body.quadratic_damping.linear.z * down_m_s) *
-         down_m_s;
-}
-
 /// At which it circles a place that it is to hold, see steer_by_fins.cc.
 double holding_speed_m_s(const Vehicle& vehicle) {
   const AutopilotSettings& s = vehicle.autopilot;
   const double most_m_s = s.most_speed_m_s > 0 ? s.most_speed_m_s : vehicle.cruise_speed_m_s;
   return std::max(s.least_speed_m_s, 0.6 * most_m_s);
+}
+
+/// The next tenth of a metre a second, up to its most, at which its elevator holds it level.
+std::optional<double> held_from_m_s(const Vehicle& vehicle, double speed_m_s, double net_n) {
+  const AutopilotSettings& s = vehicle.autopilot;
+  const double most_m_s = std::max(s.most_speed_m_s, vehicle.cruise_speed_m_s);
+  for (double at_m_s = 0.1 * std::ceil(10 * speed_m_s); at_m_s <= most_m_s; at_m_s += 0.1) {
+    const LevelFlight level = level_flight(vehicle, at_m_s, net_n);
+    if (level.is_held && std::abs(level.borne_n) >= 0.999 * std::abs(net_n)) return at_m_s;
+  }
+  return std::nullopt;
+}
+
+/// At its cruise speed, and at the least at which its file says that its fins steer it; nobody says
+/// so of the default.
+void look_at_level_flight(const Vehicle& vehicle, const std::string& found, double net_n,
+                          Findings& findings) {
+  constexpr const char* least_key = "autopilot.least_speed_m_s";
+  std::vector<double> speeds{vehicle.cruise_speed_m_s};
+  if (vehicle.places.line.contains(least_key)) speeds.push_back(vehicle.autopilot.least_speed_m_s);
+  for (const double speed_m_s : speeds) {
+    const LevelFlight level = level_flight(vehicle, speed_m_s, net_n);
+    const double limit_rad = vehicle.elevator.limit_rad;
+    const double asked_rad = std::abs(level.elevator_rad);
+    const bool is_borne = std::abs(level.borne_n) >= 0.999 * std::abs(net_n);
+    const std::string takes = formatted(
+        "{}; at {:.3g} m/s {}", found, speed_m_s,
+        is_borne ? formatted("level flight takes {:.1f} of {:.1f} degrees of elevator",
+                             asked_rad / degree, limit_rad / degree)
+                 : formatted("hull and fins bear {:.3g} N at most", std::abs(level.borne_n)));
+    if (!is_borne || !level.is_held) {
+      const auto enough_m_s = held_from_m_s(vehicle, speed_m_s, net_n);
+      findings.error(
+          "displacement",
+          takes + ", so that it could not keep its depth. Trim it (mass_kg, volume_m3)" +
+              (enough_m_s ? formatted(", or raise {} to {:.3g}",
+                                      speed_m_s == vehicle.cruise_speed_m_s ? "cruise_speed_m_s"
+                                                                            : least_key,
+                                      *enough_m_s)
+                          : std::string()));
+      return;
+    }
+    constexpr double usable = 0.8;
+    if (asked_rad > usable * limit_rad) {
+      findings.warning("displacement", takes + ": little is left to steer by");
+      return;
+    }
+  }
 }
 
 void look_at_buoyancy(const Vehicle& vehicle, const Balance& balance, Findings& findings) {
@@ -126,20 +194,26 @@ void look_at_buoyancy(const Vehicle& vehicle, const Balance& balance, Findings& 
       (net > 0 ? -vehicle.trim.least_volume_m3 : vehicle.trim.most_volume_m3);
   const double left = std::max(std::abs(net) - by_bladder_n, 0.0);
   const double slow_m_s = holding_speed_m_s(vehicle);
-  const double most = borne_n(vehicle, slow_m_s, 1);
-  const double half = borne_n(vehicle, vehicle.cruise_speed_m_s, 0.5);
+  const LevelFlight most = strongest_level_flight(vehicle, slow_m_s, net);
+  const double cruise_m_s = vehicle.cruise_speed_m_s;
+  const double steepest_rad = strongest_level_flight(vehicle, cruise_m_s, net).pitch_rad;
+  const double half = std::abs(
+      level_flight_at(vehicle, cruise_m_s, 0.5 * std::tan(steepest_rad) * cruise_m_s).borne_n);
   const std::string bears = formatted(
-      "its buoyancy engine takes {:.3g} N of it and its hull bears {:.3g} N at its steepest pitch "
-      "of "
-      "{:.0f} degrees and the {:.3g} m/s at which it circles a place",
-      by_bladder_n, most, vehicle.autopilot.most_tilt_rad / degree, slow_m_s);
-  if (left > most)
+      "its buoyancy engine takes {:.3g} N of it and its hull bears {:.3g} N at the steepest pitch "
+      "that it has or its elevator holds, {:.0f} degrees, and the {:.3g} m/s at which it circles a "
+      "place",
+      by_bladder_n, std::abs(most.borne_n), std::abs(most.pitch_rad) / degree, slow_m_s);
+  if (left > std::abs(most.borne_n)) {
     findings.error("displacement", found + "; " + bears +
                                        ", so that it could not keep its depth. Check mass_kg and "
                                        "volume_m3");
-  else if (left > half)
+    return;
+  }
+  if (left > half)
     findings.warning("displacement",
                      found + "; " + bears + ": it goes with its bow well up or down");
+  look_at_level_flight(vehicle, found, std::copysign(left, net), findings);
 }
 
 void look_at_submerged(const Vehicle& vehicle, const Balance& balance, Findings& findings) {
@@ -167,7 +241,6 @@ void look_at_submerged(const Vehicle& vehicle, const Balance& balance, Findings&
                      formatted("the centre of gravity lies {:.2g} m below that of buoyancy, less "
                                "than 1 % of the height of {:.3g} m: it is hardly stable",
                                bg_m, body.height_m));
-  look_at_buoyancy(vehicle, balance, findings);
   const double heel_deg = std::abs(balance.heel_rad) / degree;
   const double trim_deg = std::abs(balance.trim_rad) / degree;
   const std::string lies = formatted(
@@ -176,7 +249,7 @@ void look_at_submerged(const Vehicle& vehicle, const Balance& balance, Findings&
       heel_deg, trim_deg, body.centre_of_gravity_m.x, body.centre_of_gravity_m.y,
       body.centre_of_gravity_m.z, body.centre_of_buoyancy_m.x, body.centre_of_buoyancy_m.y,
       body.centre_of_buoyancy_m.z);
-  const Fins& fins = vehicle.fins;
+  const FinPair& fins = vehicle.elevator;
   const double speed = vehicle.cruise_speed_m_s;
   const double by_fins_n_m = 0.5 * body.fluid_density_kg_m3 * fins.area_m2 *
                              fins.lift_slope_per_rad * std::abs(fins.position_x_m) *
@@ -196,16 +269,16 @@ void look_at_submerged(const Vehicle& vehicle, const Balance& balance, Findings&
                          std::abs(balance.trim_n_m), by_fins_n_m, speed));
   else if (heel_deg > usual_deg || trim_deg > usual_deg)
     findings.warning("displacement", lies);
+  look_at_buoyancy(vehicle, balance, findings);
 }
 
 void look_at_floating(const Vehicle& vehicle, const Balance& balance, Findings& findings) {
   const Body& body = vehicle.body;
-  const FloatingHull& hull = body.hull;
   const std::string found = formatted(
       "found a metacentric height of {:.3g} m across and {:.3g} m along, at a draught of "
       "{:.3g} m with the centre of gravity {:.3g} m above the keel",
       balance.stability_m, balance.stability_long_m, balance.draught_m,
-      hull.keel_m[0].z - body.centre_of_gravity_m.z);
+      balance.keel_m - body.centre_of_gravity_m.z);
   if (!(balance.stability_m > 0) || !(balance.stability_long_m > 0)) {
     findings.error("hulls", found +
                                 ": it capsizes at rest; expected more than 0. Check "
@@ -217,9 +290,8 @@ void look_at_floating(const Vehicle& vehicle, const Balance& balance, Findings& 
   const std::string lies = formatted(
       "found it to lie at {:.1f} degrees of heel and {:.1f} of trim at rest, its deck {:.3g} m "
       "above the water at the lowest corner: its weight is {:.3f} m aside and {:.3f} m forward of "
-      "the middle of its hulls",
-      heel_deg, trim_deg, balance.least_freeboard_m, body.centre_of_gravity_m.y - hull.middle_m.y,
-      body.centre_of_gravity_m.x - hull.middle_m.x);
+      "the centre of its buoyancy",
+      heel_deg, trim_deg, balance.least_freeboard_m, balance.aside_m, balance.ahead_m);
   constexpr double most_deg = 10, usual_deg = 3;
   if (heel_deg > most_deg || trim_deg > most_deg || !(balance.least_freeboard_m > 0))
     findings.error("hulls",
@@ -228,11 +300,7 @@ void look_at_floating(const Vehicle& vehicle, const Balance& balance, Findings& 
                                     most_deg));
   else if (heel_deg > usual_deg || trim_deg > usual_deg)
     findings.warning("hulls", lies);
-  double outward_m = 0;
-  for (std::size_t i = 0; i < hull.strips; ++i)
-    outward_m = std::max(outward_m, std::abs(hull.keel_m[i].y - hull.middle_m.y));
-  const double beam_m = 2 * outward_m + section_at(hull, balance.draught_m).breadth_m;
-  const double usual_m = vehicle.kind == VehicleKind::vessel ? 0.15 : 0.05 * beam_m;
+  const double usual_m = vehicle.kind == VehicleKind::vessel ? 0.15 : 0.05 * balance.beam_m;
   if (balance.stability_m < usual_m)
     findings.warning(
         "hulls",

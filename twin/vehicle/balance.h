@@ -18,6 +18,10 @@ struct Balance {
   double trim_rad = 0;           ///< bow down, with a moving mass at its best
   double trim_n_m = 0;           ///< moment that the moving mass does not take up, bow down
   double draught_m = 0;          ///< of what floats
+  double keel_m = 0;             ///< of what floats: its lowest keel below the origin
+  double beam_m = 0;             ///< of what floats: over all its waterlines
+  double ahead_m = 0;            ///< of what floats: its weight forward of its buoyancy
+  double aside_m = 0;            ///< and to starboard
   double least_freeboard_m = 0;  ///< of what floats: of the corner of its deck that lies lowest
 };
 /// Of a floating craft
@@ -41,10 +45,10 @@ struct BalanceFinding {
 ///
 /// What swims:
 /// - BG not above 0: an error; below 1 % of its height (1): a warning.
-/// - An AUV's net buoyancy beyond what its buoyancy engine takes and its hull bears at its steepest
-///   pitch and the speed at which it circles a place: an error; beyond what half of that pitch
-///   bears at its cruise speed: a warning. An ROV's
-///   beyond 5 % of its weight (1): a warning; its error is that of `expect_strength`.
+/// - An AUV's net buoyancy beyond what its buoyancy engine takes and level flight (level_flight.h)
+///   bears at the speed at which it circles a place: an error; beyond half of that pitch at cruise:
+///   a warning. Elevator beyond its limit at cruise or the file's least speed: an error; over 80 %
+///   (1): a warning. An ROV's beyond 5 % of its weight (1): a warning; see `expect_strength`.
 /// - Heel or trim at rest above 30 degrees (1), an AUV's trim beyond its moving mass and its fins
 ///   at cruise speed: errors; above 5 degrees (1): a warning.
 ///

@@ -29,8 +29,14 @@ double in_air_w(const Vehicle& vehicle, const Autopilot& autopilot, double volta
   around.voltage_v = voltage_v;
   around.height_m = 1e3;
   around.across_m_s = speed_m_s;
-  const double command = command_for(vehicle.thruster, thrust_n / rotors, around);
-  return rotors * run(vehicle.thruster, command, around).power_w;
+  double sum_w = 0;
+  for (std::size_t kind = 0; kind < vehicle.thrusters.size(); ++kind) {
+    const Thruster& rotor = vehicle.thrusters[kind];
+    const double command = command_for(rotor, thrust_n / rotors, around);
+    sum_w +=
+        static_cast<double>(mounts_of_kind(vehicle, kind)) * run(rotor, command, around).power_w;
+  }
+  return sum_w;
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ std::array<double, most_mounts> hovering_thrusters(const Vehicle& vehicle, doubl
   const double each_n =
       vehicle.body.mass_kg * constants::gravity_m_s2 / static_cast<double>(vehicle.mounts);
   for (std::size_t i = 0; i < vehicle.mounts; ++i)
-    thruster[i] = command_for(vehicle.thruster, each_n, around);
+    thruster[i] = command_for(thruster_of(vehicle, i), each_n, around);
   return thruster;
 }
 

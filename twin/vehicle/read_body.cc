@@ -7,18 +7,11 @@
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 #include "twin/body/mass_matrix.h"
+#include "twin/vehicle/read_cross_flow.h"
+#include "twin/vehicle/read_derivatives.h"
 
 namespace slackwater::twin {
 namespace {
-
-using constants::sea_water_density_kg_m3;
-
-/// Of the names of SNAME, in the order u v w p q r.
-constexpr std::array<const char*, 6> added_mass_names{"X_u_dot", "Y_v_dot", "Z_w_dot",
-                                                      "K_p_dot", "M_q_dot", "N_r_dot"};
-constexpr std::array<const char*, 6> linear_names{"X_u", "Y_v", "Z_w", "K_p", "M_q", "N_r"};
-constexpr std::array<const char*, 6> quadratic_names{"X_u_abs_u", "Y_v_abs_v", "Z_w_abs_w",
-                                                     "K_p_abs_p", "M_q_abs_q", "N_r_abs_r"};
 
 Triple<double> read_point(const Config& config, std::string_view key,
                           const Triple<double>& absent) {
@@ -27,24 +20,6 @@ Triple<double> read_point(const Config& config, std::string_view key,
   if (at.size() != 3)
     config.refuse(key, "found " + std::to_string(at.size()) + " numbers; give [x, y, z] in metres");
   return {at[0], at[1], at[2]};
-}
-
-/// Derivatives stand in the file with the sign of SNAME, which opposes motion; one convention
-/// inside has them positive.
-std::array<double, 6> read_derivatives(const Config& config,
-                                       const std::array<const char*, 6>& names) {
-  std::array<double, 6> out{};
-  for (std::size_t i = 0; i < 6; ++i) {
-    const double value = config.optional_number(names[i], {-1e9, 1e9}).value_or(0);
-    if (value > 0) {
-      config.refuse(names[i],
-                    formatted("found {:g}, which would push the vehicle on its way; SNAME "
-                              "derivatives of resistance are negative: give {:g}",
-                              value, -value));
-    }
-    out[i] = value == 0 ? 0 : -value;
-  }
-  return out;
 }
 
 struct Dimensions {
@@ -108,10 +83,10 @@ void read_displacement(const Config& vehicle, const Dimensions& d, Body& body) {
     c->refuse("volume_m3",
               formatted("found {:g} m3, more than the {:g} m3 of a box around the hull",
                         body.displaced_volume_m3, box_m3));
-  const double displaced_kg = sea_water_density_kg_m3 * body.displaced_volume_m3;
+  const double displaced_kg = body.fluid_density_kg_m3 * body.displaced_volume_m3;
   if (body.mass_kg < 0.5 * displaced_kg || body.mass_kg > 2 * displaced_kg)
     c->refuse("volume_m3",
-              formatted("the vehicle has {:g} kg and displaces {:g} kg of sea water; one "
+              formatted("the vehicle has {:g} kg and displaces {:g} kg of water; one "
                         "that swims has about as much as it displaces. Check the units",
                         body.mass_kg, displaced_kg));
 }
@@ -139,10 +114,6 @@ void read_trailing_edge(const Config& vehicle, const Dimensions& d, Body& body) 
   body.trailing_edge_kg_m = c->number("added_mass_kg_m", {0, 1e6});
 }
 
-Spatial<double> diagonal_of(const std::array<double, 6>& d) {
-  return {{d[0], d[1], d[2]}, {d[3], d[4], d[5]}};
-}
-
 }  // namespace
 
 Body read_body(const Config& vehicle) {
@@ -155,33 +126,28 @@ Body read_body(const Config& vehicle) {
   body.centre_of_gravity_m = read_point(rigid, "centre_of_gravity_m", {});
   const Inertia inertia = read_inertia(rigid, body.mass_kg, d);
   body.rigid_mass = rigid_mass_matrix(body.mass_kg, inertia, body.centre_of_gravity_m);
-  body.fluid_density_kg_m3 = sea_water_density_kg_m3;
+  body.fluid_density_kg_m3 = vehicle.optional_number("water_density_kg_m3", {990, 1040})
+                                 .value_or(constants::sea_water_density_kg_m3);
   read_displacement(vehicle, d, body);
   body.hull = read_floating_hull(vehicle);
   if (body.hull.strips > 0 && body.displaced_volume_m3 > 0)
     vehicle.refuse(
         "hulls",
         "found displacement beside hulls; a craft floats on the one or is filled by the other");
-  if (body.hull.strips > 0) {
-    const double keel_m = body.hull.keel_m[0].z;
-    body.hull.felt_height_m = felt_height_m(
-        body.hull, keel_m + floating_depth_m(body.hull, body.mass_kg, body.fluid_density_kg_m3));
-  }
-  if (const auto added = vehicle.optional_child("added_mass")) {
-    const std::array<double, 6> a = read_derivatives(*added, added_mass_names);
-    for (std::size_t i = 0; i < 6; ++i) body.added_mass.entry[i][i] = a[i];
-  }
-  if (const auto c = vehicle.optional_child("damping")) {
-    body.linear_damping = diagonal_of(read_derivatives(*c, linear_names));
-    body.quadratic_damping = diagonal_of(read_derivatives(*c, quadratic_names));
-  }
+  if (body.hull.strips > 0)
+    settle(body.hull, floating_depth_m(body.hull, body.mass_kg, body.fluid_density_kg_m3));
+  body.added_mass = read_added_mass(vehicle);
+  read_damping(vehicle, body);
   read_stations(vehicle, d, body);
   read_trailing_edge(vehicle, d, body);
+  read_lift(vehicle, body);
+  read_cross_flow(vehicle, d.length, body);
   const auto inverse = inverse_of(sum_of(body.rigid_mass, body.added_mass));
   if (!inverse) {
     vehicle.refuse("rigid_body",
                    "the mass matrix with the added mass is not positive definite: the vehicle "
-                   "would gain energy by being slowed; check centre_of_gravity_m and the inertia");
+                   "would gain energy by being slowed; check centre_of_gravity_m, the inertia and "
+                   "added_mass");
   }
   body.inverse_mass = *inverse;
   return body;

@@ -5,8 +5,8 @@
 namespace slackwater::twin {
 
 /// What a vehicle's YAML says of its body: `dimensions_m`, `rigid_body`, `displacement`,
-/// `added_mass` and `damping` (SNAME derivatives with their negative signs), `drag_stations`,
-/// `hulls`, `trailing_edge`.
+/// `water_density_kg_m3`, `drag_stations`, `hulls`, `trailing_edge`; `added_mass`, `damping` and
+/// `lift` (read_derivatives.h); `cross_flow` (read_cross_flow.h).
 ///
 /// Throws Error(invalid_input), with file, line and reason, for what no body can be: a mass matrix
 /// that is not positive definite, moments of inertia that break the triangle inequality or want

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "fields/base/text.h"
@@ -7,6 +6,9 @@
 #include "twin/tether/read_tether.h"
 #include "twin/vehicle/balance.h"
 #include "twin/vehicle/read_body.h"
+#include "twin/vehicle/read_derivatives.h"
+#include "twin/vehicle/read_fins.h"
+#include "twin/vehicle/read_mounts.h"
 #include "twin/vehicle/vehicle.h"
 
 namespace slackwater::twin {
@@ -24,54 +26,6 @@ VehicleKind read_kind(const Config& config) {
   if (found == kinds.end())
     config.refuse("kind", "found " + kind + ", expected rov, auv, uav, usv or vessel");
   return found->second;
-}
-
-Triple<double> read_triple(const Config& config, std::string_view key, Range range) {
-  const std::vector<double> v = config.numbers(key, range);
-  if (v.size() != 3)
-    config.refuse(key, "found " + std::to_string(v.size()) + " numbers; give three, [x, y, z]");
-  return {v[0], v[1], v[2]};
-}
-
-Mount read_mount(const Config& config) {
-  Mount mount;
-  mount.position_m = read_triple(config, "position_m", {-100, 100});
-  const Triple<double> d = read_triple(config, "direction", {-1, 1});
-  const double length = std::sqrt(dot(d, d));
-  if (std::abs(length - 1) > 1e-3)
-    config.refuse("direction",
-                  "its length is " + std::to_string(length) + "; give a direction of length 1");
-  mount.direction = (1 / length) * d;
-  if (const auto turns = config.optional_text("turns")) {
-    if (*turns != "clockwise" && *turns != "counterclockwise")
-      config.refuse("turns", "found " + *turns +
-                                 ", expected clockwise or counterclockwise, seen along the thrust");
-    mount.spin = *turns == "clockwise" ? 1 : -1;
-  }
-  return mount;
-}
-
-void read_mounts(const Config& config, Vehicle& vehicle) {
-  const std::vector<Config> mounts = config.children("mounts");
-  if (mounts.empty() || mounts.size() > most_mounts) {
-    config.refuse("mounts", "found " + std::to_string(mounts.size()) +
-                                " thrusters, expected 1 to " + std::to_string(most_mounts));
-  }
-  for (const Config& mount : mounts) vehicle.mount[vehicle.mounts++] = read_mount(mount);
-}
-
-Fins read_fins(const Config& config) {
-  Fins fins;
-  const auto c = config.optional_child("fins");
-  if (!c) return fins;
-  fins.area_m2 = c->number("area_m2", {1e-5, 100});
-  fins.position_x_m = c->number("position_x_m", {-100, 100});
-  fins.lift_slope_per_rad = c->number("lift_slope_per_rad", {0.1, 2 * constants::pi});
-  fins.drag_factor = c->number("drag_factor", {0, 2});
-  fins.stall_rad = c->number("stall_rad", {0.01, 0.8});
-  fins.limit_rad = c->number("limit_rad", {0.01, 1.2});
-  fins.rate_rad_s = c->number("rate_rad_s", {0.001, 20});
-  return fins;
 }
 
 Trim read_trim(const Config& config) {
@@ -107,6 +61,7 @@ void read_wind(const Config& config, Vehicle& vehicle) {
 Vehicle read_vehicle(const std::filesystem::path& file, const std::filesystem::path& data_folder) {
   const Config config = Config::load(file);
   Vehicle vehicle;
+  vehicle.places = config.places();
   vehicle.id = config.text("id");
   vehicle.name = config.text("name");
   vehicle.kind = read_kind(config);
@@ -115,6 +70,8 @@ Vehicle read_vehicle(const std::filesystem::path& file, const std::filesystem::p
     config.refuse("largest_step_s",
                   "a multirotor turns over in tenths of a second; expected at most 0.004");
   vehicle.body = read_body(config);
+  if (const auto driven = motion_driven_by_damping(vehicle.body))
+    vehicle.warnings.push_back(*driven);
   const bool floats = vehicle.body.hull.strips > 0;
   const bool is_surface_craft =
       vehicle.kind == VehicleKind::usv || vehicle.kind == VehicleKind::vessel;
@@ -124,10 +81,8 @@ Vehicle read_vehicle(const std::filesystem::path& file, const std::filesystem::p
   if (floats)
     (void)floating_depth_m(vehicle.body.hull, vehicle.body.mass_kg,
                            vehicle.body.fluid_density_kg_m3);
-  const Config thruster = config.child("thruster");
-  vehicle.thruster = read_thruster(thruster, data_folder);
-  read_mounts(config, vehicle);
-  vehicle.fins = read_fins(config);
+  read_mounts(config, data_folder, vehicle);
+  read_fins(config, vehicle);
   vehicle.trim = read_trim(config);
   read_wind(config, vehicle);
   if (const auto battery = config.optional_child("battery"))

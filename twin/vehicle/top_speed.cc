@@ -33,11 +33,14 @@ double in_air_m_s(const Vehicle& vehicle, const Autopilot& autopilot) {
   const double beside_n =
       std::sqrt(std::max(rotors_n * rotors_n - autopilot.weight_n * autopilot.weight_n, 0.0));
   const double most_n = std::min(autopilot.weight_n * autopilot.tan_most_tilt, beside_n);
-  const Rotor& rotor = vehicle.thruster.rotor;
   const double each_n = autopilot.weight_n / static_cast<double>(vehicle.mounts);
-  const double turns =
-      vehicle.thruster.kind == ThrusterKind::rotor ? std::sqrt(each_n / rotor.thrust_n_s2) : 0.0;
-  const double rotors_drag = rotor.drag_n_s2_m * turns * static_cast<double>(vehicle.mounts);
+  double rotors_drag = 0;
+  for (std::size_t kind = 0; kind < vehicle.thrusters.size(); ++kind) {
+    if (vehicle.thrusters[kind].kind != ThrusterKind::rotor) continue;
+    const Rotor& rotor = vehicle.thrusters[kind].rotor;
+    const double turns = std::sqrt(each_n / rotor.thrust_n_s2);
+    rotors_drag += rotor.drag_n_s2_m * turns * static_cast<double>(mounts_of_kind(vehicle, kind));
+  }
   return greatest(autopilot.settings.most_speed_m_s, [&](double speed_m_s) {
     const double drag_n = (autopilot.linear_damping.linear.x + rotors_drag +
                            autopilot.quadratic_damping.linear.x * speed_m_s) *

@@ -30,8 +30,7 @@ Submitted CommandDoor::submit(const std::string& client, std::size_t vehicle,
   twin::Command command;
   command.agent = vehicle;
   command.source = client;
-  const bool is_short_lived = std::holds_alternative<twin::SetVelocity>(what) ||
-                              std::holds_alternative<twin::SetThrusters>(what);
+  const bool is_short_lived = twin::must_be_renewed(what);
   const OfVehicle channel = channel_of(what);
   command.what = std::move(what);
   const double now_s = arbiter_.time_s();

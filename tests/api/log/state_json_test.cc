@@ -106,7 +106,8 @@ TEST(StateJson, CommandsComeBackInTheirOrder) {
       {9, 1, twin::HoldHere{true}},
       {9, 1, twin::GoHome{}},
       {9, 1, twin::Resume{}},
-      {9, 1, twin::HostPhysics{true}}};
+      {9, 1, twin::HostPhysics{true}},
+      {9, 1, twin::SetActuators{{{0.1, -0.0}, {1, 1}}, true}}};
   const json written = commands_json(commands);
   const std::vector<twin::Command> back = commands_of(json::parse(written.dump()));
   EXPECT_EQ(commands_json(back), written);

@@ -56,6 +56,30 @@ TEST(BodyDynamics, WithoutForcesTheKineticEnergyAndTheMomentumStay) {
   EXPECT_LT(std::sqrt(dot(change, change)), 1e-7);
 }
 
+TEST(BodyDynamics, WhateverTheAddedMassTheKineticEnergyAndTheMomentumStay) {
+  Rng random(6, "tests/added_mass");
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    Body body = body_of({});
+    // A sum of squares: any mass that no motion gains energy from.
+    for (int n = 0; n < 6; ++n) {
+      std::array<double, 6> a{};
+      for (double& number : a) number = random.normal();
+      for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) body.added_mass.entry[i][j] += a[i] * a[j];
+    }
+    const SpatialMatrix mass = sum_of(body.rigid_mass, body.added_mass);
+    body.inverse_mass = inverse_of(mass).value();
+    const State start = tumbling(100 + seed);
+    const State end = run(body, start, {}, 3, 0.005);
+    EXPECT_NEAR(kinetic_energy_j(mass, end.nu) / kinetic_energy_j(mass, start.nu), 1, 1e-8);
+    const auto momentum = [&](const State& s) {
+      return rotation_of(s.attitude).to_ned((mass * s.nu).linear);
+    };
+    const Triple<double> change = momentum(end) - momentum(start);
+    EXPECT_LT(std::sqrt(dot(change, change)), 1e-6) << seed;
+  }
+}
+
 TEST(BodyDynamics, ASteadyCurrentCarriesTheWholeMotionAlong) {
   MadeUpHull hull;
   hull.linear = {4, 6, 5, 0.1, 0.2, 0.1};

@@ -16,7 +16,7 @@ using tests::respond;
 using tests::Response;
 
 const char* const both[] = {"wamv16", "ctv24"};
-double length_of(const Body& body) { return 6 * body.hull.strip_length_m; }
+double length_of(const Body& body) { return 6 * body.hull.part[0].strip_length_m; }
 
 TEST(CraftInWaves, RideLongWavesAsTheSurfaceDoes) {
   for (const char* id : both) {
@@ -142,7 +142,7 @@ TEST(WavesAtStrips, AreThoseOfTheSeaWhereEachStripIs) {
   const double k = wave.wavenumber(), w = wave.omega();
   for (std::size_t i = 0; i < body.hull.strips; ++i) {
     const Triple<double> at =
-        strip_place(body.hull, i, rotation_of(state.attitude), state.position_m);
+        strip_place(body.hull, body.hull.part[0], i, rotation_of(state.attitude), state.position_m);
     EXPECT_NEAR(at.z, 0.85, 0.5);
     // Towards 240 degrees from north.
     const double north = std::cos(240 * pi / 180), east = std::sin(240 * pi / 180);

@@ -54,18 +54,29 @@ TEST(FloatingHulls, ACylinderHalfUnderDisplacesHalfOfItself) {
   // The centre of half a circle is 4 r/(3 pi) from its diameter.
   EXPECT_NEAR(floating_depth_m(hull, half, sea_water_density_kg_m3), 0.213 - 0.5, 1e-4);
   const std::size_t middle = section_points / 2;
-  EXPECT_NEAR(hull.section[middle].moment_m3 / hull.section[middle].area_m2,
+  EXPECT_NEAR(hull.part[0].section[middle].moment_m3 / hull.part[0].section[middle].area_m2,
               0.213 - 4 * 0.213 / (3 * pi), 1e-4);
-  EXPECT_NEAR(hull.section[middle].breadth_m, 2 * 0.213, 1e-12);
-  EXPECT_NEAR(hull.section.back().area_m2, pi * 0.213 * 0.213, 1e-4 * hull.section.back().area_m2);
+  EXPECT_NEAR(hull.part[0].section[middle].breadth_m, 2 * 0.213, 1e-12);
+  EXPECT_NEAR(hull.part[0].section.back().area_m2, pi * 0.213 * 0.213,
+              1e-4 * hull.part[0].section.back().area_m2);
 }
 
 TEST(FloatingHulls, AVBottomIsHalfATriangleUpToItsChine) {
   const FloatingHull hull = hull_of("beam_m: 2, depth_m: 1.6, deadrise_deg: 45");
   // Chine at 1 m: area h^2 below it.
-  EXPECT_NEAR(hull.section[20].area_m2, std::pow(1.6 * 20 / 64, 2), 1e-5);
+  EXPECT_NEAR(hull.part[0].section[20].area_m2, std::pow(1.6 * 20 / 64, 2), 1e-5);
   EXPECT_THROW((void)hull_of("beam_m: 2, depth_m: 0.6, deadrise_deg: 45"), Error);
   EXPECT_THROW((void)hull_of("beam_m: 2, depth_m: 1", "[-1, 1]", 9), Error);
+}
+
+/// Of an Otter (Fossen 2021): 0.1875 m at the waterline and 0.01951 m2 under it on a draught of
+/// 0.1951 m.
+TEST(FloatingHulls, AVBottomMayBeSteepButNoWall) {
+  const FloatingHull hull = hull_of("beam_m: 0.1875, depth_m: 0.35, deadrise_deg: 62.7");
+  const Section section = section_at(hull.part[0], 0.1951);
+  EXPECT_NEAR(section.area_m2, 0.01951, 5e-5);  // by a tenth of a degree
+  EXPECT_NEAR(section.breadth_m, 0.1875, 1e-12);
+  EXPECT_THROW((void)hull_of("beam_m: 0.05, depth_m: 1, deadrise_deg: 86"), Error);
 }
 
 BodyState<double> afloat(const Body& body) {
@@ -172,7 +183,7 @@ double hull_energy_j(const Body& body, const BodyState<double>& state) {
     const double breadth = beam * v / rise;
     const double area = 0.5 * breadth * v + beam * (h - v);
     const double moment = breadth * v * v / 3 + 0.5 * beam * (h * h - v * v);
-    const double length = body.hull.strip_length_m;
+    const double length = body.hull.part[0].strip_length_m;
     const double own = std::pow(breadth, 3) * n.y * n.y + breadth * length * length * n.x * n.x;
     sum += length * (area * under - n.z * moment + own / 24);
   }
@@ -272,6 +283,142 @@ TEST(FloatingHulls, TheWaterAtTheStripsIsFittedByTheRigidMotionItHas) {
   EXPECT_NEAR(found.angular.x, 0.05, 1e-12);
   EXPECT_NEAR(found.angular.y, -0.04, 1e-12);
   EXPECT_NEAR(found.angular.z, 0.03, 1e-12);
+}
+
+/// Two hulls of boxes, wide and shallow aft, narrow and deep forward, that float with the origin at
+/// the waterline: an Otter's with its centre of flotation aft of that of buoyancy (Fossen 2021).
+constexpr double aft_draught_m = 0.0581, fore_draught_m = 0.2877;
+FloatingHull hulls_of_two_sections() {
+  const Config config = Config::parse(R"(hulls:
+  - {beam_m: 0.25, depth_m: 0.4, from_x_m: -1, to_x_m: 0.2, keel_z_m: 0.0581,
+     centre_y_m: [-0.395, 0.395], strips: 4}
+  - {beam_m: 0.09375, depth_m: 0.5, from_x_m: 0.2, to_x_m: 1, keel_z_m: 0.2877,
+     centre_y_m: [-0.395, 0.395], strips: 2}
+)",
+                                      "hulls.yaml");
+  FloatingHull hull = read_floating_hull(config);
+  config.expect_all_read();
+  return hull;
+}
+constexpr double aft_area_m2 = 2 * 1.2 * 0.25, fore_area_m2 = 2 * 0.8 * 0.09375;
+constexpr double volume_of_two_m3 = aft_area_m2 * aft_draught_m + fore_area_m2 * fore_draught_m;
+
+TEST(HullsOfSections, FloatOnTheVolumeOfAllAndTurnAboutTheCentreOfTheirWaterline) {
+  FloatingHull hull = hulls_of_two_sections();
+  EXPECT_EQ(hull.strips, 12U);
+  EXPECT_EQ(hull.part[1].first, 8U);
+  const double down_m =
+      floating_depth_m(hull, sea_water_density_kg_m3 * volume_of_two_m3, sea_water_density_kg_m3);
+  EXPECT_NEAR(down_m, 0, 1e-9);
+  settle(hull, down_m);
+  const double flotation_m = (aft_area_m2 * -0.4 + fore_area_m2 * 0.6) / 0.75;
+  EXPECT_NEAR(flotation_m, -0.2, 1e-12);
+  EXPECT_NEAR(hull.middle_m.x, flotation_m, 1e-12);
+  double all = 0;
+  for (const double share : hull.share) all += share;
+  EXPECT_NEAR(all, 1, 1e-12);
+  // A box feels the waves at its keel.
+  EXPECT_NEAR(hull.part[1].felt_height_m, 0, 1e-12);
+  const auto force = [&](double down, double pitch) {
+    return floating_force<double>(hull, sea_water_density_kg_m3,
+                                  rotation_of(attitude_of({0, pitch, 0})), down, nullptr);
+  };
+  const double n_m = sea_water_density_kg_m3 * gravity_m_s2;
+  constexpr double small = 1e-5;
+  EXPECT_NEAR(force(0, 0).linear.z, -n_m * volume_of_two_m3, 1e-6);
+  // The centre of buoyancy, and what a change of draught or pitch does: 1508 N.
+  const double volume_x_m4 =
+      aft_area_m2 * aft_draught_m * -0.4 + fore_area_m2 * fore_draught_m * 0.6;
+  EXPECT_NEAR(force(0, 0).angular.y, n_m * volume_x_m4, 1e-6);
+  EXPECT_NEAR(volume_x_m4 / volume_of_two_m3, 0.1531, 1e-4);
+  EXPECT_NEAR((force(small, 0).linear.z - force(-small, 0).linear.z) / (2 * small), -n_m * 0.75,
+              1e-3);
+  EXPECT_NEAR((force(small, 0).angular.y - force(-small, 0).angular.y) / (2 * small),
+              n_m * 0.75 * flotation_m, 1e-3);
+  EXPECT_NEAR((force(0, small).linear.z - force(0, -small).linear.z) / (2 * small), -1508,
+              0.005 * 1508);
+}
+
+TEST(HullsOfSections, OfALightCraftAreDryWhereTheyAreShallow) {
+  FloatingHull hull = hulls_of_two_sections();
+  const double down_m =
+      floating_depth_m(hull, sea_water_density_kg_m3 * fore_area_m2 * 0.1, sea_water_density_kg_m3);
+  EXPECT_NEAR(down_m, 0.1 - fore_draught_m, 1e-9);
+  settle(hull, down_m);
+  EXPECT_EQ(hull.share[0], 0);
+  EXPECT_NEAR(hull.middle_m.x, 0.6, 1e-12);
+  EXPECT_NEAR(hull.spread_y_m2, 0.395 * 0.395, 1e-12);
+  EXPECT_THROW((void)floating_depth_m(hull, 500, sea_water_density_kg_m3), Error);
+}
+
+TEST(HullsOfSections, AreBorneUpByTheGradientOfAnEnergy) {
+  const FloatingHull hull = hulls_of_two_sections();
+  const double n_m3 = sea_water_density_kg_m3 * gravity_m_s2;
+  const auto energy_j = [&](double down_m, const Attitude<double>& attitude) {
+    const Triple<double> n = rotation_of(attitude).down;
+    double sum = 0;
+    for (std::size_t i = 0; i < hull.strips; ++i) {
+      const double beam = i < 8 ? 0.25 : 0.09375, length = i < 8 ? 0.3 : 0.4;
+      const double under = down_m + dot(n, hull.keel_m[i]), h = under / n.z;
+      const double own = beam * beam * beam * n.y * n.y + beam * length * length * n.x * n.x;
+      sum += length * (beam * h * under - n.z * beam * h * h / 2 + own / 24);
+    }
+    return n_m3 * sum;
+  };
+  Rng random(7, "tests/sections");
+  for (int i = 0; i < 50; ++i) {
+    const double down_m = random.uniform(-0.01, 0.05);
+    const Attitude<double> attitude =
+        attitude_of({random.uniform(-0.04, 0.04), random.uniform(-0.02, 0.02), 0.3});
+    const Rotation<double> r = rotation_of(attitude);
+    const Spatial<double> force =
+        floating_force<double>(hull, sea_water_density_kg_m3, r, down_m, nullptr);
+    const auto slope = [&](const Spatial<double>& along) {
+      constexpr double small = 1e-5;
+      const auto at = [&](double step) {
+        BodyState<double> state;
+        state.position_m.z = down_m;
+        state.attitude = attitude;
+        const BodyState<double> there =
+            moved(state, {r.to_ned(along.linear), rate_of(attitude, along.angular), {}}, step);
+        return energy_j(there.position_m.z, there.attitude);
+      };
+      return (at(small) - at(-small)) / (2 * small);
+    };
+    // A box has no error of its table: of 800 N and 300 N m.
+    EXPECT_NEAR(force.linear.z, -slope({{0, 0, 1}, {}}), 1e-3);
+    EXPECT_NEAR(force.linear.y, -slope({{0, 1, 0}, {}}), 1e-3);
+    EXPECT_NEAR(force.angular.x, -slope({{}, {1, 0, 0}}), 1e-3);
+    EXPECT_NEAR(force.angular.y, -slope({{}, {0, 1, 0}}), 1e-3);
+  }
+}
+
+TEST(HullsOfSections, OfOneAreAsOfAMapping) {
+  const std::string one =
+      "{radius_m: 0.3, from_x_m: -2, to_x_m: 1, keel_z_m: 0.2, centre_y_m: [-1, 1], strips: 5}";
+  const FloatingHull a = read_floating_hull(Config::parse("hulls: " + one, "hull.yaml"));
+  const FloatingHull b = read_floating_hull(Config::parse("hulls: [" + one + "]", "hull.yaml"));
+  // Apart in two: the same strips.
+  const FloatingHull c = read_floating_hull(Config::parse(
+      "hulls:\n- {radius_m: 0.3, from_x_m: -2, to_x_m: 1, keel_z_m: 0.2, centre_y_m: -1, strips: "
+      "5}\n- {radius_m: 0.3, from_x_m: -2, to_x_m: 1, keel_z_m: 0.2, centre_y_m: 1, strips: 5}",
+      "hull.yaml"));
+  const Rotation<double> r = rotation_of(attitude_of({0.1, -0.05, 1}));
+  const auto force = [&](const FloatingHull& hull) {
+    return floating_force<double>(hull, 1000, r, 0.1, nullptr);
+  };
+  for (const FloatingHull& hull : {b, c}) {
+    EXPECT_EQ(force(a).linear.z, force(hull).linear.z);
+    EXPECT_EQ(force(a).angular.x, force(hull).angular.x);
+    EXPECT_EQ(a.spread_x_m2, hull.spread_x_m2);
+  }
+  EXPECT_EQ(c.parts, 2U);
+  const std::string five = one + ", " + one + ", " + one + ", " + one + ", " + one;
+  EXPECT_THROW((void)read_floating_hull(Config::parse("hulls: [" + five + "]", "hull.yaml")),
+               Error);
+  EXPECT_THROW(
+      (void)read_floating_hull(Config::parse("hulls: [" + one + ", " + one + "]", "hull.yaml")),
+      Error);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "fields/base/error.h"
 #include "fields/base/turn.h"
 #include "tests/twin/control/closed_loop.h"
 
@@ -121,6 +122,27 @@ TEST(AuvAutopilot, GivesFiniteAndBoundedCommandsWhateverIsMeasured) {
     loop.run(cruise(1, 0, 20), 600);
     EXPECT_NEAR(loop.state.position_m.z, 20, 0.2) << bad;
   }
+}
+
+TEST(AuvAutopilot, IsRefusedWithTheNameOfThePairThatIsMissing) {
+  const auto refusal = [](const FinPair& rudder, const FinPair& elevator) -> std::string {
+    const auto mounts = tests::lrauv_mounts();
+    const auto ranges = tests::lrauv_ranges();
+    try {
+      (void)plan_autopilot(default_autopilot(VehicleKind::auv), VehicleKind::auv,
+                           tests::body_from_data("lrauv_tethys"),
+                           {mounts, ranges, rudder, elevator, tests::lrauv_trim(), 0.3});
+    } catch (const Error& problem) {
+      return problem.message();
+    }
+    return "nothing was refused";
+  };
+  FinPair forward = tests::lrauv_fins();
+  forward.position_x_m = 1;
+  EXPECT_EQ(refusal({}, tests::lrauv_fins()).rfind("rudder: an auv is steered by", 0), 0U);
+  EXPECT_EQ(refusal(tests::lrauv_fins(), {}).rfind("elevator: an auv is steered by", 0), 0U);
+  EXPECT_EQ(refusal(tests::lrauv_fins(), forward).rfind("elevator: an auv is steered by", 0), 0U);
+  EXPECT_EQ(refusal(tests::lrauv_fins(), tests::lrauv_fins()), "nothing was refused");
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ inline void ClosedLoop::actuate() {
   forcing.fluid.velocity_m_s = fluid_m_s;
   forcing.tau = twin::wrench_of(autopilot.allocation, thrust_n);
   forcing.tau.linear = forcing.tau.linear + r.to_body(push_n);
-  const twin::Fins& fins = autopilot.fins;
+  const twin::FinPair& fins = autopilot.rudder;  // the elevator is alike
   if (fins.area_m2 > 0) {
     rudder_rad = moved(rudder_rad, effort.rudder_rad, fins.rate_rad_s * dt_s);
     elevator_rad = moved(elevator_rad, effort.elevator_rad, fins.rate_rad_s * dt_s);
@@ -99,7 +99,7 @@ inline ClosedLoop afloat(const char* id, twin::VehicleKind kind,
   loop.body = body_from_data(id);
   loop.lag_s = lag_s;
   loop.autopilot = twin::plan_autopilot(twin::default_autopilot(kind), kind, loop.body,
-                                        {mounts, ranges, {}, {}, lag_s});
+                                        {mounts, ranges, {}, {}, {}, lag_s});
   loop.state.position_m.z =
       twin::floating_depth_m(loop.body.hull, loop.body.mass_kg, loop.body.fluid_density_kg_m3);
   loop.state.attitude = {1, 0, 0, 0};
@@ -123,7 +123,7 @@ inline ClosedLoop bluerov2() {
   const auto ranges = t200_ranges(8);
   loop.autopilot =
       twin::plan_autopilot(twin::default_autopilot(twin::VehicleKind::rov), twin::VehicleKind::rov,
-                           loop.body, {mounts, ranges, {}, {}, loop.lag_s});
+                           loop.body, {mounts, ranges, {}, {}, {}, loop.lag_s});
   loop.state.position_m = {0, 0, 20};
   loop.state.attitude = {1, 0, 0, 0};
   return loop;
@@ -137,9 +137,9 @@ inline ClosedLoop lrauv() {
   loop.lag_s = 0.3;
   const auto mounts = lrauv_mounts();
   const auto ranges = lrauv_ranges();
-  loop.autopilot =
-      twin::plan_autopilot(twin::default_autopilot(twin::VehicleKind::auv), twin::VehicleKind::auv,
-                           loop.body, {mounts, ranges, lrauv_fins(), lrauv_trim(), loop.lag_s});
+  loop.autopilot = twin::plan_autopilot(
+      twin::default_autopilot(twin::VehicleKind::auv), twin::VehicleKind::auv, loop.body,
+      {mounts, ranges, lrauv_fins(), lrauv_fins(), lrauv_trim(), loop.lag_s});
   loop.state.position_m = {0, 0, 20};
   loop.state.attitude = {1, 0, 0, 0};
   return loop;
@@ -155,7 +155,7 @@ inline ClosedLoop x500() {
   const auto ranges = x500_ranges();
   loop.autopilot =
       twin::plan_autopilot(twin::default_autopilot(twin::VehicleKind::uav), twin::VehicleKind::uav,
-                           loop.body, {mounts, ranges, {}, {}, loop.lag_s});
+                           loop.body, {mounts, ranges, {}, {}, {}, loop.lag_s});
   loop.state.position_m = {0, 0, -30};
   loop.state.attitude = {1, 0, 0, 0};
   for (std::size_t i = 0; i < 4; ++i) loop.thrust_n[i] = 5.061;

@@ -20,11 +20,11 @@ inline std::vector<twin::ThrustRange> t200_ranges(std::size_t count) {
   return std::vector<twin::ThrustRange>(count, {-39.91, 51.44, 0});
 }
 
-/// osrf/lrauv: propeller, fins, sliding battery, buoyancy engine. The rate of the fins is an
-/// estimate.
+/// osrf/lrauv: propeller, two pairs of fins alike, sliding battery, buoyancy engine. The rate of
+/// the fins is an estimate.
 inline std::vector<twin::Mount> lrauv_mounts() { return {{{-1.43162, 0, 0}, {1, 0, 0}, 1}}; }
 inline std::vector<twin::ThrustRange> lrauv_ranges() { return {{-5, 10, 0}}; }
-inline twin::Fins lrauv_fins() { return {0.0244, -1.05, 4.13, 0.2, 0.17, 0.261799, 0.35}; }
+inline twin::FinPair lrauv_fins() { return {0.0244, -1.05, 4.13, 0.2, 0.17, 0.261799, 0.35}; }
 inline twin::Trim lrauv_trim() { return {31.7307, 0.03, 0.0007, -420e-6, 455e-6, 3e-6}; }
 
 /// PX4-gazebo-models, x500, turned from forward-left-up to forward-right-down; thrust is up, that

@@ -24,14 +24,15 @@ struct RealLoop {
     ThrusterSurroundings<double> still;
     still.voltage_v = voltage_v;
     still.height_m = 1e3;
-    const auto most = twin::run(vehicle.thruster, vehicle.thruster.most_command, still);
-    const auto least = twin::run(vehicle.thruster, vehicle.thruster.least_command, still);
+    const auto most = twin::run(vehicle.thrusters[0], vehicle.thrusters[0].most_command, still);
+    const auto least = twin::run(vehicle.thrusters[0], vehicle.thrusters[0].least_command, still);
     const std::vector<ThrustRange> ranges(
         vehicle.mounts, {std::min(least.thrust_n, 0.0), most.thrust_n,
                          most.thrust_n > 0 ? most.torque_n_m / most.thrust_n : 0});
-    autopilot = plan_autopilot(vehicle.autopilot, vehicle.kind, vehicle.body,
-                               {std::span(vehicle.mount).first(vehicle.mounts), ranges,
-                                vehicle.fins, vehicle.trim, vehicle.thruster.rise_time_constant_s});
+    autopilot =
+        plan_autopilot(vehicle.autopilot, vehicle.kind, vehicle.body,
+                       {std::span(vehicle.mount).first(vehicle.mounts), ranges, vehicle.rudder,
+                        vehicle.elevator, vehicle.trim, vehicle.thrusters[0].rise_time_constant_s});
     state = placed(vehicle, at_m, 0);
     state.bus_voltage_v = voltage_v;
   }
@@ -46,7 +47,7 @@ struct RealLoop {
       around.height_m = 1e3;
       for (std::size_t i = 0; i < vehicle.mounts; ++i) {
         around.advance_m_s = dot(vehicle.mount[i].direction, state.body.nu.linear);
-        command.thruster[i] = command_for(vehicle.thruster, effort.thrust_n[i], around);
+        command.thruster[i] = command_for(vehicle.thrusters[0], effort.thrust_n[i], around);
       }
       command.rudder_rad = effort.rudder_rad;
       command.elevator_rad = effort.elevator_rad;

@@ -32,6 +32,28 @@ TEST(SurfaceAutopilot, MakesItsSpeedThroughTheWaterWithTheThrustOfItsDrag) {
   EXPECT_NEAR(vessel.velocity_m_s().x, 10, 0.05);
 }
 
+TEST(SurfaceAutopilot, KnowsWhatHoldsItStraightByEitherWordForIt) {
+  const auto planned = [](const Body& body) {
+    const auto mounts = tests::wamv_mounts();
+    const auto ranges = tests::outboard_ranges();
+    return plan_autopilot(default_autopilot(VehicleKind::usv), VehicleKind::usv, body,
+                          {mounts, ranges, {}, {}, {}, 0.3});
+  };
+  const Body by_edge = tests::body_from_data("wamv16");
+  Body by_lift = by_edge;
+  by_lift.trailing_edge_kg_m = by_lift.trailing_edge_x_m = 0;
+  by_lift.speed_lift.is_there = true;
+  by_lift.speed_lift.n_ur = -34 * 2.45 * 2.45;
+  EXPECT_NEAR(planned(by_edge).straightening_kg_m, 34 * 2.45 * 2.45, 1e-9);
+  EXPECT_NEAR(planned(by_lift).straightening_kg_m, 34 * 2.45 * 2.45, 1e-9);
+  EXPECT_NEAR(tightest_turn_m(planned(by_lift), 2), tightest_turn_m(planned(by_edge), 2), 1e-9);
+  // Besides acts -M_A26 u r of the added mass (C_A), unless the source leaves it out.
+  by_lift.added_mass.entry[1][5] = by_lift.added_mass.entry[5][1] = 20;
+  EXPECT_NEAR(planned(by_lift).straightening_kg_m, 34 * 2.45 * 2.45 + 20, 1e-9);
+  by_lift.speed_lift.without_munk = true;
+  EXPECT_NEAR(planned(by_lift).straightening_kg_m, 34 * 2.45 * 2.45, 1e-9);
+}
+
 TEST(SurfaceAutopilot, TurnsToAHeadingWithLittleOvershoot) {
   for (const double step : {0.3, 1.5, 3.0, -2.0}) {
     for (const bool is_large : {false, true}) {

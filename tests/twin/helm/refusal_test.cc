@@ -96,6 +96,28 @@ TEST(Refusal, OfThrustersBeyondOneOrOfAnotherNumber) {
             {"found 2", "expected 8", "order"});
 }
 
+TEST(Refusal, OfActuatorsThatTheVehicleHasNotOrBeyondTheirRange) {
+  const auto one = [](std::size_t channel, double value, bool is_physical = false) {
+    SetActuators set{{}, is_physical};
+    set.given.give(channel, value);
+    return set;
+  };
+  EXPECT_FALSE(answer(one(rudder_channel, -1), {auv}));
+  EXPECT_FALSE(
+      answer(one(rudder_channel, fleet().agents[auv].vehicle->rudder.limit_rad, true), {auv}));
+  expect_no(answer(SetActuators{}, {usv}), RefusalReason::wrong_count,
+            {"found none", "a WAM-V 16 has thruster_1, thruster_2"});
+  expect_no(answer(one(rudder_channel, 0.1), {usv}), RefusalReason::out_of_range,
+            {"found channel 9", "a WAM-V 16 has thruster_1, thruster_2"});
+  expect_no(answer(one(rudder_channel, 1.01), {auv}), RefusalReason::out_of_range,
+            {"rudder: found 1.01", "-1 to 1 of its range"});
+  expect_no(answer(one(rudder_channel, 2, true), {auv}), RefusalReason::out_of_range,
+            {"rudder: found 2", "rad"});
+  expect_no(answer(one(volume_channel, nan), {auv}), RefusalReason::not_finite, {"volume"});
+  expect_no(answer(one(rudder_channel, 0.1), {auv, {}, {}, 12}), RefusalReason::stale,
+            {"actuators"});
+}
+
 TEST(Refusal, OfSpeedsBeyondTheVehiclesOwn) {
   expect_no(answer(SetVelocity{{5, 0, 0, 0}}), RefusalReason::out_of_range, {"surge", "found 5"});
   expect_no(answer(SetVelocity{{0, -5, 0, 0}}), RefusalReason::out_of_range, {"sway"});

@@ -1,6 +1,7 @@
 #include "tests/bench/counted_allocations.h"
 #include "tests/twin/run/helm_for_tests.h"
 #include "twin/control/velocity_range.h"
+#include "twin/vehicle/actuator_channels.h"
 
 namespace slackwater::tests::helm_same_bits_test {
 namespace {
@@ -28,7 +29,14 @@ void say_something(twin::Run& run, std::uint64_t step, std::vector<std::uint64_t
           twin::SetVelocity{{0.5 * twin::velocity_range(*who.autopilot).most_ahead_m_s, 0, 0, 0.1}};
       break;
     case 2:
-      command.what = twin::SetThrusters{std::vector<double>(who.vehicle->mounts, 0.4)};
+      if (step % 12 == 2) {
+        command.what = twin::SetThrusters{std::vector<double>(who.vehicle->mounts, 0.4)};
+      } else {
+        twin::SetActuators set;
+        for (std::size_t i = 0; i < twin::most_channels; ++i)
+          if (twin::channel_of(*who.vehicle, i)) set.given.give(i, 0.3);
+        command.what = set;
+      }
       break;
     case 3:
       command.what = twin::Reroute{{{{at.x + 5, at.y, at.z}, 0}, {{at.x, at.y, at.z}, 0}}, true};

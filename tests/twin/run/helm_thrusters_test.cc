@@ -1,5 +1,6 @@
 #include "fields/base/check.h"
 #include "tests/twin/run/helm_for_tests.h"
+#include "twin/vehicle/actuator_channels.h"
 
 namespace slackwater::tests::helm_thrusters_test {
 namespace {
@@ -34,19 +35,19 @@ TEST(HelmThrusters, OfOtherKindsHaveThatShareOfTheirRange) {
     const twin::Vehicle& vehicle = *run->agents()[0].vehicle;
     drive(*run, std::vector<double>(vehicle.mounts, 0.5), 30);
     for (std::size_t i = 0; i < vehicle.mounts; ++i)
-      EXPECT_NEAR(state_of_lone(*run).vehicle.thruster[i], 0.5 * vehicle.thruster.most_command,
-                  1e-3 * vehicle.thruster.most_command)
+      EXPECT_NEAR(state_of_lone(*run).vehicle.thruster[i], 0.5 * vehicle.thrusters[0].most_command,
+                  1e-3 * vehicle.thrusters[0].most_command)
           << model;
-    EXPECT_EQ(twin::command_by_hand(vehicle.thruster, -1), vehicle.thruster.least_command);
-    EXPECT_EQ(twin::command_by_hand(vehicle.thruster, 0), 0);
+    EXPECT_EQ(twin::channel_of(vehicle, 0)->of_share(-1), vehicle.thrusters[0].least_command);
+    EXPECT_EQ(twin::channel_of(vehicle, 0)->of_share(0), 0);
   }
 }
 
 TEST(HelmThrusters, OfARotorStandBelowNought) {
   const auto run = lone_run(lone("x500", "north_m: 0, east_m: 0, height_m: 30"));
-  const twin::Thruster& rotor = run->agents()[0].vehicle->thruster;
-  EXPECT_EQ(twin::command_by_hand(rotor, -0.5), 0);
-  EXPECT_EQ(twin::command_by_hand(rotor, 1), rotor.most_command);
+  const twin::Vehicle& uav = *run->agents()[0].vehicle;
+  EXPECT_EQ(twin::channel_of(uav, 0)->of_share(-0.5), 0);
+  EXPECT_EQ(twin::channel_of(uav, 0)->of_share(1), uav.thrusters[0].most_command);
 }
 
 TEST(HelmThrusters, GiveTheMotionThatTheirThrustGives) {

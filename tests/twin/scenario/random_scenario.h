@@ -118,7 +118,10 @@ class RandomScenario : private RandomSurface {
     using Kind = twin::ScenarioTask::Kind;
     twin::ScenarioTask task;
     task.phase = static_cast<twin::Phase>(count(0, twin::phase_count - 1));
-    task.kind = follows ? Kind::follow_track : static_cast<Kind>(count(0, vehicle.conduct ? 4 : 2));
+    task.kind =
+        follows ? Kind::follow_track
+                : static_cast<Kind>(pick<std::size_t>({count(0, vehicle.conduct ? 4 : 2),
+                                                       static_cast<std::size_t>(Kind::actuators)}));
     switch (task.kind) {
       case Kind::route:
         for (std::size_t i = count(1, 4); i > 0; --i) {
@@ -145,8 +148,28 @@ class RandomScenario : private RandomSurface {
       case Kind::stand_by:
         task.hold_s = infinite;
         break;
+      case Kind::actuators:
+        task.hold_s = number(100, 86400);
+        task.table = table();
+        break;
     }
     return task;
+  }
+  twin::ActuatorTable table() {
+    twin::ActuatorTable table;
+    table.keeps_depth = chance(0.5);
+    table.keeps_heading = chance(0.5);
+    table.keeps_speed = chance(0.5);
+    if (table.keeps_speed && chance(0.5)) table.speed_m_s = number(0.01, 60);
+    for (std::size_t i = 0, rows = count(1, 4); i < rows; ++i) {
+      twin::ActuatorRow& row = table.rows.emplace_back();
+      row.at_s = static_cast<double>(i) + number(0, 0.9);
+      row.setting.emplace_back("left_share", number(-1, 1));
+      for (const char* const key :
+           {"left_1_rad_s", "rpm_rpm", "bow_n", "rudder_deg", "moving_mass_m", "volume_m3"})
+        if (chance(0.3)) row.setting.emplace_back(key, number(-1e3, 1e3));
+    }
+    return table;
   }
   std::optional<UtcTime> start() {
     if (chance(0.5)) return std::nullopt;

@@ -49,7 +49,7 @@ Vector9 moved_by_its_equations(const Vehicle& vehicle, double speed_m_s, const V
   for (int i = 0; i < steps; ++i) {
     Forcing<double> forcing;
     forcing.tau = held_on_its_way(vehicle, speed_m_s);
-    if (vehicle.fins.area_m2 > 0) forcing.tau = forcing.tau + fins_force(vehicle, at.nu, 0.0, 0.0);
+    if (has_fins(vehicle)) forcing.tau = forcing.tau + fins_force(vehicle, at.nu, 0.0, 0.0);
     at = stepped(body, at, forcing, lasts_s / steps);
   }
   const EulerAngles angles = euler_angles(at.attitude);
@@ -93,8 +93,8 @@ TEST(OpenLoop, TheYawOfAnAuvIsThatOfTheTextbook) {
   const Body& body = auv.body;
   constexpr double u = 1;
   const double lift =
-      0.5 * body.fluid_density_kg_m3 * auv.fins.area_m2 * auv.fins.lift_slope_per_rad * u;
-  const double x = auv.fins.position_x_m;
+      0.5 * body.fluid_density_kg_m3 * auv.rudder.area_m2 * auv.rudder.lift_slope_per_rad * u;
+  const double x = auv.rudder.position_x_m;
   const double surge_kg = body.added_mass.entry[0][0], sway_kg = body.added_mass.entry[1][1];
   const double mass = body.mass_kg + sway_kg;
   const double inertia = body.rigid_mass.entry[5][5] + body.added_mass.entry[5][5];

@@ -4,6 +4,7 @@
 
 #include "fields/base/numbers/random.h"
 #include "tests/twin/run/run_for_tests.h"
+#include "tests/twin/vehicle/changed_vehicle.h"
 #include "twin/step/vehicle_step.h"
 
 namespace slackwater::twin::step_kernel_test {
@@ -20,7 +21,40 @@ std::vector<Vehicle> vehicles() {
       out.push_back(read_vehicle(entry.path(), data));
   }
   EXPECT_GE(out.size(), 3U);
+  out.push_back(tests::lrauv_of_all_kinds());
   return out;
+}
+
+/// A vehicle that feels more than all bodies do.
+Vehicle with_more(Vehicle vehicle, Rng& rng) {
+  vehicle.id += ", with lift and cross-flow";
+  Body& body = vehicle.body;
+  SpeedLift& lift = body.speed_lift;
+  lift.is_there = true;
+  lift.without_munk = vehicle.kind == VehicleKind::auv;
+  for (double* number : {&lift.y_uv, &lift.y_ur, &lift.n_uv, &lift.n_ur, &lift.z_uw, &lift.z_uq,
+                         &lift.m_uw, &lift.m_uq, &lift.k_up})
+    *number = -20 * rng.uniform();
+  CrossDamping& cross = body.cross_damping;
+  cross.is_there = true;
+  for (double* number : {&cross.y_r, &cross.n_v, &cross.z_q, &cross.m_w})
+    *number = 2 * rng.uniform() - 1;
+  CrossFlow& flow = body.cross_flow;
+  flow.is_there = true;
+  flow.strips = 7;
+  for (std::size_t i = 0; i < flow.strips; ++i) {
+    flow.x_m[i] = static_cast<double>(i) - 3.2;
+    flow.sway_n_s2_m2[i] = 30 * rng.uniform();
+    flow.heave_n_s2_m2[i] = 30 * rng.uniform();
+  }
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j) {
+      if (i == j) continue;
+      cross.linear.entry[i][j] = 2 * rng.uniform() - 1;
+      if (i < j) body.added_mass.entry[i][j] = body.added_mass.entry[j][i] = rng.uniform() - 0.5;
+    }
+  }
+  return vehicle;
 }
 
 /// Every number of a value moved by up to `most`, either way.
@@ -56,7 +90,10 @@ TEST(StepKernel, IsTheStepOfOneVehicleOnEveryPath) {
   Rng rng(5, "twin/step_kernel_test");
   // From a touch to what no vehicle survives: the last overflow on the way.
   const double sizes[] = {0, 1e-9, 1e-3, 0.1, 1, 30, 1e4, 1e60, 1e160, 1e300};
-  for (const Vehicle& vehicle : vehicles()) {
+  std::vector<Vehicle> all = vehicles();
+  for (const char* id : {"lrauv_tethys", "wamv16"})
+    all.push_back(with_more(tests::bundled_vehicle(id), rng));
+  for (const Vehicle& vehicle : all) {
     for (const double held_v : {0.0, 14.0}) {
       const StepPlan plan = plan_step(vehicle, vehicle.largest_step_s, held_v);
       for (int round = 0; round < 30; ++round) {

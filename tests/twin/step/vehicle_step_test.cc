@@ -8,6 +8,7 @@
 #include "fields/base/check.h"
 #include "fields/base/numbers/random.h"
 #include "tests/support/vehicle_for_tests.h"
+#include "tests/twin/vehicle/changed_vehicle.h"
 #include "twin/step/step_dispatch.h"
 
 namespace slackwater::twin::vehicle_step_test {
@@ -71,7 +72,7 @@ TEST(VehicleStep, TheBlueRov2HoldsItsDepthForAFewWatts) {
   const double each_n = 0.235 * constants::gravity_m_s2 / 4;
   Command down;
   for (std::size_t i = 4; i < 8; ++i)
-    down.thruster[i] = command_for(blue.thruster, each_n, {0, 0, 16, 0});
+    down.thruster[i] = command_for(blue.thrusters[0], each_n, {0, 0, 16, 0});
   run_for(blue, plan_step(blue, 0.05, 16), state, down, {}, 60);
   EXPECT_NEAR(state.body.nu.linear.z, 0, 2e-3);
   EXPECT_LT(state.electrical_w - blue.hotel_w, 10);
@@ -93,7 +94,7 @@ TEST(VehicleStep, TheLrauvLastsTwoHundredHours) {
   const Vehicle lrauv = bundled_vehicle("lrauv_tethys");
   State state = placed(lrauv, {0, 0, 30}, 0);
   Command ahead;
-  ahead.thruster[0] = command_for(lrauv.thruster, 6.2282, {1, 0, 14.4, 0});
+  ahead.thruster[0] = command_for(lrauv.thrusters[0], 6.2282, {1, 0, 14.4, 0});
   run_level_for(lrauv, plan_step(lrauv, 0.1), state, ahead, {}, 600);
   EXPECT_NEAR(state.body.nu.linear.x, 1, 0.002);
   EXPECT_NEAR(state.electrical_w, 28.8, 0.1);
@@ -115,7 +116,7 @@ TEST(VehicleStep, TheX500HoversForEighteenMinutes) {
   Command hover;
   const double weight_n = x500.body.mass_kg * constants::gravity_m_s2;
   for (std::size_t i = 0; i < 4; ++i) {
-    hover.thruster[i] = command_for(x500.thruster, weight_n / 4, {0, 0, 16, 50});
+    hover.thruster[i] = command_for(x500.thrusters[0], weight_n / 4, {0, 0, 16, 50});
     state.thruster[i] = hover.thruster[i];
   }
   run_for(x500, plan_step(x500, 0.004), state, hover, air, 5);
@@ -173,7 +174,7 @@ TEST(VehicleStep, TheWamvReachesItsSpeedAndLastsItsHours) {
 TEST(VehicleStep, TheCrewVesselBurnsItsFuelPushingOn) {
   const Vehicle vessel = bundled_vehicle("ctv24");
   const ThrusterSurroundings<double> at_rest;
-  const double fuel_kg_s = 2 * run(vessel.thruster, 30000.0, at_rest).fuel_kg_s;
+  const double fuel_kg_s = 2 * run(vessel.thrusters[0], 30000.0, at_rest).fuel_kg_s;
   EXPECT_NEAR(fuel_kg_s * 3600 / 0.84, 150, 1);
   State state = placed(vessel, {0, 0, 0}, 0);
   Command push;
@@ -194,7 +195,7 @@ TEST(VehicleStep, TheCrewVesselMeetsItsPowerCurve) {
     const double u = knots[i] * 1852 / 3600;
     const double drag_n =
         vessel.body.linear_damping.linear.x * u + vessel.body.quadratic_damping.linear.x * u * u;
-    const auto jet = run(vessel.thruster, drag_n / 2, ThrusterSurroundings<double>{u, 0, 0, 0});
+    const auto jet = run(vessel.thrusters[0], drag_n / 2, ThrusterSurroundings<double>{u, 0, 0, 0});
     EXPECT_NEAR(jet.thrust_n, drag_n / 2, 0.02 * drag_n / 2) << knots[i];  // 25.8 kn is all
     const double power_kw = 2 * jet.fuel_kg_s / 0.208 * 3600;
     EXPECT_NEAR(power_kw / shaft_kw[i], 1, 0.13) << knots[i];
@@ -218,6 +219,33 @@ TEST(VehicleStep, AnEmptyBatteryStopsTheThrusters) {
   EXPECT_LT(state.body.nu.linear.x, 0.1);
 }
 
+TEST(VehicleStep, EachMountHasTheThrusterOfItsKind) {
+  // A BlueROV2 with an outboard of a WAM-V in the place of its fifth thruster.
+  Vehicle mixed = bundled_vehicle("bluerov2_heavy");
+  mixed.thrusters.push_back(bundled_vehicle("wamv16").thrusters[0]);
+  mixed.thrusters[1].rise_time_constant_s = 0.7;
+  mixed.mount[4].kind = 1;
+  EXPECT_EQ(mounts_of_kind(mixed, 0), 7U);
+  EXPECT_EQ(mounts_of_kind(mixed, 1), 1U);
+  State state = placed(mixed, {0, 0, 20}, 0);
+  const StepPlan plan = plan_step(mixed, 0.02, 16);
+  Command command;
+  command.thruster = {0.5, 0, 0, 0, 30, 0.5, 0, 0};
+  const std::array<double, most_mounts> before{0.4, 0, 0, 0, 20, 0.4, 0, 0};
+  state.thruster = before;
+  step(mixed, plan, state, command, {});
+  for (const std::size_t i : {0U, 4U, 5U}) {
+    const Thruster& thruster = thruster_of(mixed, i);
+    const auto lag =
+        lagged(lag_step(thruster.rise_time_constant_s, thruster.fall_time_constant_s, plan.dt_s),
+               before[i], command.thruster[i]);
+    EXPECT_EQ(state.thruster[i], lag.end) << i;
+    EXPECT_EQ(state.thrust_n[i], run(thruster, lag.mean, {0, 0, 16, 0}).thrust_n) << i;
+    EXPECT_GT(state.thrust_n[i], 0) << i;
+  }
+  EXPECT_NE(state.thrust_n[4], state.thrust_n[5]);
+}
+
 TEST(VehicleStep, ASteadyWaterCarriesAVehicleThatDoesNothing) {
   const Vehicle lrauv = bundled_vehicle("lrauv_tethys");
   State state = placed(lrauv, {0, 0, 30}, 0);
@@ -229,8 +257,10 @@ TEST(VehicleStep, ASteadyWaterCarriesAVehicleThatDoesNothing) {
 
 /// One vehicle and eight, on every instruction set: the same bits.
 TEST(VehicleStep, EightVehiclesGiveTheBitsOfOne) {
-  for (const char* id : {"bluerov2_heavy", "lrauv_tethys", "x500", "wamv16", "ctv24"}) {
-    const Vehicle vehicle = bundled_vehicle(id);
+  std::vector<Vehicle> vehicles{tests::lrauv_of_all_kinds()};
+  for (const char* id : {"bluerov2_heavy", "lrauv_tethys", "x500", "wamv16", "ctv24"})
+    vehicles.push_back(bundled_vehicle(id));
+  for (const Vehicle& vehicle : vehicles) {
     const StepPlan plan = plan_step(vehicle, vehicle.largest_step_s);
     for (const KernelPath path : supported_kernel_paths()) {
       Rng random(21, "tests/eight_vehicles");
@@ -248,7 +278,7 @@ TEST(VehicleStep, EightVehiclesGiveTheBitsOfOne) {
         for (std::size_t k = 0; k < block_lanes; ++k) {
           Command command;
           for (double& c : command.thruster)
-            c = random.uniform(-1, 1) * vehicle.thruster.most_command;
+            c = random.uniform(-1, 1) * vehicle.thrusters[0].most_command;
           command.rudder_rad = random.uniform(-1, 1);
           command.elevator_rad = random.uniform(-1, 1);
           command.moving_mass_m = random.uniform(-0.1, 0.1);
@@ -274,11 +304,130 @@ TEST(VehicleStep, EightVehiclesGiveTheBitsOfOne) {
       for (std::size_t k = 0; k < block_lanes; ++k) {
         const State lane = taken(block, k);
         EXPECT_EQ(std::memcmp(&lane, &one[k], sizeof lane), 0)
-            << id << " " << name_of(path) << " " << k;
-        EXPECT_TRUE(std::isfinite(one[k].body.nu.linear.x)) << id;
+            << vehicle.id << " " << name_of(path) << " " << k;
+        EXPECT_TRUE(std::isfinite(one[k].body.nu.linear.x)) << vehicle.id;
       }
     }
   }
+}
+
+/// A propeller that turns clockwise, seen along its thrust, turns its vehicle the other way, by the
+/// torque of its shaft, and at J = 0 with rho D^5 n^2 K_Q.
+TEST(VehicleStep, TheTorqueOfAPropellerRollsItsVehicleAgainstItsTurn) {
+  Vehicle auv = tests::lrauv_of_all_kinds();
+  auv.thrusters[0].rise_time_constant_s = 0;
+  const StepPlan plan = plan_step(auv, 0.01, 24);
+  Command ahead;
+  ahead.thruster = {40, 0, 0};
+  const double turns_s = 40 / (2 * constants::pi);
+  const double torque_n_m = 1025 * std::pow(0.2, 5) * turns_s * turns_s * 0.06;
+  for (const double spin : {1.0, -1.0}) {
+    auv.mount[0].spin = spin;
+    State state = placed(auv, {0, 0, 20}, 0);
+    const Propulsion<double> pushed = propel(auv, plan, state, ahead, {}, 0.0);
+    EXPECT_NEAR(pushed.force.angular.x, -spin * 0.5 * torque_n_m, 1e-9);
+    EXPECT_NEAR(0.8 * pushed.power_w, 40 * torque_n_m, 1e-8);
+    step(auv, plan, state, ahead, {});
+    EXPECT_LT(spin * state.body.nu.angular.x, 0);
+  }
+}
+
+/// Where its thrust and its drag are alike, the thrust is what its polynomial says of that speed.
+TEST(VehicleStep, APropellerInOpenWaterPushesLessTheFasterItGoes) {
+  const Vehicle auv = tests::lrauv_of_all_kinds();
+  State state = placed(auv, {0, 0, 20}, 0);
+  Command ahead;
+  ahead.thruster = {40, 0, 0};
+  run_level_for(auv, plan_step(auv, 0.05, 24), state, ahead, {}, 300);
+  const double u = state.body.nu.linear.x, turns_s = 40 / (2 * constants::pi);
+  const double ratio = 0.94 * u / (turns_s * 0.2);
+  const double at_rest_n = 0.9 * 1025 * std::pow(0.2, 4) * turns_s * turns_s * 0.45;
+  const double thrust_n = at_rest_n * (0.45 - 0.35 * ratio - 0.05 * ratio * ratio) / 0.45;
+  EXPECT_GT(ratio, 0.6);
+  EXPECT_NEAR(thrust_n, 6.2282 * u * u, 2e-3 * thrust_n);
+  EXPECT_NEAR(state.thrust_n[0], thrust_n, 2e-3 * thrust_n);
+}
+
+TEST(VehicleStep, FinsFollowBehindTheirLagWithinTheirRate) {
+  Vehicle auv = bundled_vehicle("lrauv_tethys");
+  auv.rudder.lag_s = 0.3;
+  auv.rudder.rate_rad_s = 10;
+  auv.elevator.lag_s = 0.3;
+  auv.elevator.rate_rad_s = 0.2;
+  const double asked = 0.15;
+  Command command;
+  command.rudder_rad = command.elevator_rad = asked;
+  for (const double dt_s : {0.1, 0.02}) {
+    const StepPlan plan = plan_step(auv, dt_s);
+    State state = placed(auv, {0, 0, 20}, 0);
+    double t_s = 0;
+    while (t_s < 0.2 - 1e-9) {
+      step(auv, plan, state, command, {});
+      t_s += dt_s;
+      EXPECT_NEAR(state.rudder_rad, asked * (1 - std::exp(-t_s / 0.3)), 1e-12) << t_s;
+    }
+    // 0.15/0.3 rad/s is more than its rate.
+    EXPECT_NEAR(state.elevator_rad, 0.2 * t_s, 1e-12);
+    run_for(auv, plan, state, command, {}, 10);
+    EXPECT_NEAR(state.rudder_rad, asked, 1e-9);
+    EXPECT_NEAR(state.elevator_rad, asked, 1e-9);
+  }
+}
+
+TEST(FinsForce, OfTheDriftHasALiftSlopeOfItsOwn) {
+  Vehicle auv = bundled_vehicle("lrauv_tethys");
+  const Spatial<double> nu_r{{1.2, 0.02, -0.03}, {}};
+  const auto force = [&](double passive_share, double rudder_rad, double elevator_rad) {
+    auv.rudder.passive_share = auv.elevator.passive_share = passive_share;
+    return fins_force(auv, nu_r, rudder_rad, elevator_rad).linear;
+  };
+  EXPECT_EQ(force(0, 0, 0).y, 0);
+  EXPECT_EQ(force(0, 0, 0).z, 0);
+  EXPECT_NEAR(force(0.4, 0, 0).y, 0.4 * force(1, 0, 0).y, 1e-12);
+  EXPECT_NEAR(force(0.4, 0, 0).z, 0.4 * force(1, 0, 0).z, 1e-12);
+  EXPECT_NEAR(force(0.4, 0.05, 0).y - force(0.4, 0, 0).y, force(0, 0.05, 0).y, 1e-12);
+  EXPECT_NEAR(force(0.4, 0, 0.05).z - force(0.4, 0, 0).z, force(0, 0, 0.05).z, 1e-12);
+}
+
+TEST(FinsForce, OfRudderAndElevatorActsWhereEachStands) {
+  Vehicle auv = bundled_vehicle("lrauv_tethys");
+  auv.rudder.position_x_m = -0.4;
+  auv.rudder.area_m2 = 0.05;
+  auv.elevator.lift_slope_per_rad = 2;
+  constexpr double u = 1.3, q = -0.02, r = 0.03, rudder_rad = 0.05, elevator_rad = -0.04;
+  const Spatial<double> force = fins_force(auv, {{u, 0, 0}, {0, q, r}}, rudder_rad, elevator_rad);
+  const auto coefficient = [](const FinPair& fins, double angle_rad, double aside_m_s,
+                              double other_m_s) {
+    return fins.lift_slope_per_rad *
+           (angle_rad +
+            aside_m_s / std::sqrt(u * u + aside_m_s * aside_m_s + other_m_s * other_m_s));
+  };
+  const auto pressure_n = [&](const FinPair& fins, double aside_m_s) {
+    return 0.5 * 1025 * fins.area_m2 * (u * u + aside_m_s * aside_m_s);
+  };
+  const double v = -0.4 * r, x = auv.elevator.position_x_m, w = -x * q;
+  const double aside = coefficient(auv.rudder, rudder_rad, v, 0.4 * q);
+  const double up = coefficient(auv.elevator, elevator_rad, -w, x * r);
+  const double y_n = -pressure_n(auv.rudder, v) * aside;
+  const double z_n = pressure_n(auv.elevator, w) * up;
+  EXPECT_NEAR(force.linear.y, y_n, 1e-7);
+  EXPECT_NEAR(force.linear.z, z_n, 1e-7);
+  EXPECT_NEAR(force.angular.y, -x * z_n, 1e-7);
+  EXPECT_NEAR(force.angular.z, -0.4 * y_n, 1e-7);
+  EXPECT_NEAR(force.linear.x,
+              -(pressure_n(auv.rudder, v) * auv.rudder.drag_factor * aside * aside +
+                pressure_n(auv.elevator, w) * auv.elevator.drag_factor * up * up),
+              1e-7);
+}
+
+TEST(FinsForce, IsThatOfTheRudderAloneWhereThereIsNoElevator) {
+  Vehicle auv = bundled_vehicle("lrauv_tethys");
+  auv.elevator = {};
+  EXPECT_TRUE(has_fins(auv));
+  const Spatial<double> force = fins_force(auv, {{1, 0.1, 0.2}, {0, 0.1, 0}}, 0.1, 0.1);
+  EXPECT_LT(force.linear.y, -0.5);
+  EXPECT_EQ(force.linear.z, 0);
+  EXPECT_EQ(force.angular.y, 0);
 }
 
 TEST(VehicleStep, RefusesAStepLongerThanTheVehicleBears) {

@@ -165,6 +165,8 @@ struct Case {
 std::vector<Case> one_of_each() {
   return {{"table", tests::t200()},
           {"propeller", tests::slow_propeller()},
+          {"open water", tests::remus_propeller("thrust_deduction: 0.1\nastern_share: 0.7\n"
+                                                "most_astern_shaft_rad_s: 120\n")},
           {"rotor", tests::quadrotor_rotor()},
           {"drive", tests::outboard("most_power_w: 700\nidle_power_w: 40\n")},
           {"engine", tests::outboard("fuel_g_kwh: 208\n")}};

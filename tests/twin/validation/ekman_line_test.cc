@@ -94,7 +94,7 @@ Triple<double> drift_m_s(const Flight& flight, const EnvironmentSampler& water) 
     ThrusterSurroundings<double> meets;
     meets.voltage_v = state.vehicle.bus_voltage_v;
     meets.advance_m_s = body.nu.linear.x - around.water.velocity_m_s.y;
-    command.thruster[0] = command_for(vehicle.thruster, effort.thrust_n[0], meets);
+    command.thruster[0] = command_for(vehicle.thrusters[0], effort.thrust_n[0], meets);
     command.rudder_rad = effort.rudder_rad;
     command.elevator_rad = effort.elevator_rad;
     command.moving_mass_m = effort.moving_mass_m;

@@ -27,7 +27,7 @@ double thrusters_w(const Flight& flight) {
     around.across_m_s = std::sqrt(dot(across, across));
     around.voltage_v = flight.vehicle().bus_voltage_v;
     around.height_m = -flight.body().position_m.z;
-    sum += twin::run(vehicle.thruster, flight.vehicle().thruster[i], around).power_w;
+    sum += twin::run(thruster_of(vehicle, i), flight.vehicle().thruster[i], around).power_w;
   }
   return sum;
 }

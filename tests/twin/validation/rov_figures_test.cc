@@ -63,8 +63,8 @@ AllAhead all_ahead(const Vehicle& vehicle, double speed_m_s, double voltage_v) {
     around.advance_m_s = ahead * speed_m_s;
     around.across_m_s = std::abs(vehicle.mount[i].direction.y) * speed_m_s;
     const double command =
-        ahead > 0 ? vehicle.thruster.most_command : vehicle.thruster.least_command;
-    const auto out = twin::run(vehicle.thruster, command, around);
+        ahead > 0 ? vehicle.thrusters[0].most_command : vehicle.thrusters[0].least_command;
+    const auto out = twin::run(vehicle.thrusters[0], command, around);
     sum.thrust_n += ahead * out.thrust_n;
     sum.power_w += out.power_w;
   }

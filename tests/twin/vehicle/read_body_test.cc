@@ -83,6 +83,20 @@ TEST(ReadBody, RefusesWhatNoBodyCanBeAndSaysWhy) {
   EXPECT_TRUE(contains(refusal("position_x_m: -0.5", "position_x_m: 0.5"), "position_x_m"));
 }
 
+TEST(ReadBody, IsInTheWaterThatItsNumbersAreFor) {
+  EXPECT_EQ(read(yaml_with("mass_kg: 100", "mass_kg: 100")).fluid_density_kg_m3, 1025);
+  const std::string fresh = yaml_with("dimensions_m", "water_density_kg_m3: 1000\ndimensions_m");
+  EXPECT_EQ(read(fresh).fluid_density_kg_m3, 1000);
+  EXPECT_TRUE(contains(refusal("dimensions_m", "water_density_kg_m3: 1.025\ndimensions_m"),
+                       "water_density_kg_m3"));
+}
+
+TEST(ReadBody, RefusesAnAddedMassThatMakesEnergy) {
+  // 150 kg across, 11 kg m2 about z: their product is smaller than the square of 50 kg m.
+  EXPECT_TRUE(contains(refusal("N_r_dot: -2", "N_r_dot: -2, Y_r_dot: 50"), "positive definite"));
+  EXPECT_EQ(refusal("N_r_dot: -2", "N_r_dot: -2, Y_r_dot: 20"), "");
+}
+
 /// The inertia that a public model gives this vehicle "to keep the trajectory straight"
 /// (twin/docs/vehicles.md).
 TEST(ReadBody, RefusesTheInertiaOfThePlaceholderLrauv) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -54,8 +55,8 @@ TEST(ReadVehicle, TheBlueRov2HasTheBollardThrustOfItsSheet) {
   ASSERT_EQ(blue.mounts, 8U);
   EXPECT_EQ(blue.kind, VehicleKind::rov);
   const ThrusterSurroundings<double> around{0, 0, 16, 0};
-  const double ahead_n = run(blue.thruster, 1.0, around).thrust_n;
-  const double astern_n = run(blue.thruster, -1.0, around).thrust_n;
+  const double ahead_n = run(blue.thrusters[0], 1.0, around).thrust_n;
+  const double astern_n = run(blue.thrusters[0], -1.0, around).thrust_n;
   const Spatial<double> surge = wrench(blue, {astern_n, astern_n, ahead_n, ahead_n, 0, 0, 0, 0});
   EXPECT_NEAR(surge.linear.x, 129.2, 0.05);
   EXPECT_NEAR(surge.linear.y, 0, 1e-12);
@@ -69,7 +70,7 @@ TEST(ReadVehicle, TheBlueRov2HasTheBollardThrustOfItsSheet) {
 TEST(ReadVehicle, TheX500LiftsOneAndTwoThirdsOfItsWeight) {
   const Vehicle x500 = bundled_vehicle("x500");
   const ThrusterSurroundings<double> around{0, 0, 15.2, 100};
-  const double most_n = run(x500.thruster, 5000.0, around).thrust_n;
+  const double most_n = run(x500.thrusters[0], 5000.0, around).thrust_n;
   const Spatial<double> lift = wrench(x500, {most_n, most_n, most_n, most_n, 0, 0, 0, 0});
   EXPECT_NEAR(-lift.linear.z / (x500.body.mass_kg * constants::gravity_m_s2), 1.689, 1e-3);
   EXPECT_NEAR(lift.angular.x, 0, 1e-12);
@@ -83,8 +84,29 @@ TEST(ReadVehicle, TheLrauvTrimsByItsBatteryAndItsBladder) {
   const Vehicle lrauv = bundled_vehicle("lrauv_tethys");
   EXPECT_EQ(lrauv.mounts, 1U);
   EXPECT_NEAR(lrauv.trim.most_volume_m3 - lrauv.trim.least_volume_m3, 875e-6, 1e-12);
-  EXPECT_NEAR(lrauv.fins.limit_rad, 15 * constants::pi / 180, 1e-6);
+  EXPECT_NEAR(lrauv.rudder.limit_rad, 15 * constants::pi / 180, 1e-6);
   EXPECT_NEAR(lrauv.hotel_w, 16.8, 1e-12);
+}
+
+TEST(ReadVehicle, KnowsInWhichLineEachKeyStands) {
+  const Vehicle lrauv = bundled_vehicle("lrauv_tethys");
+  const std::string file = (tests::source_folder() / "data/vehicles/lrauv_tethys.yaml").string();
+  const auto line_with = [&](const std::string& words) {
+    const std::string text = text_of("lrauv_tethys");
+    const std::size_t at = text.find(words);
+    EXPECT_NE(at, std::string::npos) << words;
+    const auto lines =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    return file + ":" + std::to_string(1 + lines);
+  };
+  EXPECT_EQ(lrauv.place_of("hotel_w"), line_with("hotel_w: 16.8"));
+  EXPECT_EQ(lrauv.place_of("fins.limit_rad"), line_with("limit_rad: 0.26"));
+  EXPECT_EQ(lrauv.place_of("dimensions_m.width"), line_with("width: 0.305"));
+  EXPECT_EQ(lrauv.place_of("mounts[0].direction"), line_with("direction: [1, 0, 0]"));
+  // What it does not say would stand in what is around it.
+  EXPECT_EQ(lrauv.place_of("fins.lag_s"), line_with("fins:"));
+  EXPECT_EQ(lrauv.place_of("mounts[7].turns"), line_with("mounts:"));
+  EXPECT_EQ(lrauv.place_of("lift.M_uw"), file);
 }
 
 TEST(ReadVehicle, RefusesWhatNoVehicleIsAndSaysWhy) {

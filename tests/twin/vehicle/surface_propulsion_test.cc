@@ -28,7 +28,7 @@ ThrusterOutput<double> pushing(const Vehicle& vehicle, double force_n, double sp
   ThrusterSurroundings<double> around;
   around.advance_m_s = speed_m_s;
   around.voltage_v = 25.9;
-  ThrusterOutput<double> out = run(vehicle.thruster, force_n / mounts, around);
+  ThrusterOutput<double> out = run(vehicle.thrusters[0], force_n / mounts, around);
   out.thrust_n *= mounts;
   out.power_w *= mounts;
   out.fuel_kg_s *= mounts;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fields/base/config.h"
 #include "fields/base/text.h"
@@ -157,8 +158,15 @@ VehicleShape read_vehicle_shape(const std::filesystem::path& file) {
   const Config size = config.child("dimensions_m");
   shape.size_m = {size.number("length", {0.05, 500}), size.number("width", {0.05, 100}),
                   size.number("height", {0.02, 100})};
-  if (const auto hulls = config.optional_child("hulls"))
-    shape.middle_m.z = hulls->number("keel_z_m", {-50, 50}) - 0.5 * shape.size_m.z;
+  std::vector<Config> hulls;
+  if (config.is_list("hulls"))
+    hulls = config.children("hulls");
+  else if (const auto one = config.optional_child("hulls"))
+    hulls.push_back(*one);
+  double keel_z_m = -std::numeric_limits<double>::infinity();  // of the lowest
+  for (const Config& hull : hulls)
+    keel_z_m = std::max(keel_z_m, hull.number("keel_z_m", {-50, 50}));
+  if (!hulls.empty()) shape.middle_m.z = keel_z_m - 0.5 * shape.size_m.z;
   return shape;
 }
 

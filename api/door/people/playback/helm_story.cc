@@ -33,6 +33,8 @@ class Teller {
       begin(HelmMode::velocity, HelmCause::asked, at_s);
     else if (std::holds_alternative<twin::SetThrusters>(command.what))
       begin(HelmMode::thrusters, HelmCause::asked, at_s);
+    else if (std::holds_alternative<twin::SetActuators>(command.what))
+      begin(HelmMode::actuators, HelmCause::asked, at_s);
     else if (std::holds_alternative<twin::GoHome>(command.what))
       begin(HelmMode::home, HelmCause::asked, at_s);
     else if (std::holds_alternative<twin::Resume>(command.what) && now_.mode != HelmMode::own)
@@ -54,8 +56,7 @@ class Teller {
 
  private:
   [[nodiscard]] double ends_s() const {
-    if (now_.mode == HelmMode::velocity || now_.mode == HelmMode::thrusters)
-      return renewed_s_ + rule_.renewal_s;
+    if (twin::must_be_renewed(now_.mode)) return renewed_s_ + rule_.renewal_s;
     const bool is_for_want = now_.mode == HelmMode::hold && (now_.cause == HelmCause::not_renewed ||
                                                              now_.cause == HelmCause::client_lost);
     return is_for_want && rule_.home_after_s > 0 ? since_s_ + rule_.home_after_s
