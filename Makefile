@@ -44,8 +44,8 @@ bench: test-packages
 	tests/bench/run build/release
 
 # Long runs: 200 kills instead of 10, 210 days of bands, 500 twins, a vehicle behind a lossy link,
-# 10 000 readers that come and go, ten minutes of serving, attacks on the server, damaged files,
-# half an hour of fuzzing.
+# 10 000 readers that come and go, ten minutes of serving, attacks on the server and on the ports of
+# DDS, damaged files, two hours of fuzzing.
 soak: test-packages venv
 	cmake --preset release
 	cmake --build --preset release -j$(JOBS)
@@ -55,6 +55,9 @@ soak: test-packages venv
 	# Memory and crashes, that sanitizers hide.
 	ctest --preset release -R 'KeptAnswersOfTheDesk|RunApart|Confined|HostileFiles|HostileLog'
 	SLACKWATER_KILLS=200 ctest --preset release -R '[Kk]ill|[Cc]rash'
+	SLACKWATER_CUT_EVERY=1 SLACKWATER_FAIL_EVERY=1 ctest --preset release -R 'PowerCut|FailingDisk'
+	SLACKWATER_SCENARIOS=1000 SLACKWATER_SMALL_DAYS=200 ctest --preset release \
+	  -R 'WriteScenario|MakePlan'
 	SLACKWATER_DAYS=210 SLACKWATER_TWINS=500 SLACKWATER_WINDS=50 ctest --preset release -V \
 	  -R 'Probabilities|MemberSpread|TwinTargets|BlendTwin|FitProfile|RealPairs'
 	ctest --preset release -V -R 'Encounters|TenTasks'
@@ -68,6 +71,7 @@ soak: test-packages venv
 	SLACKWATER_LOSSY_LINK=1 ctest --preset release -V -R 'LossyLink|LossySession'
 	SLACKWATER_JOINS=10000 build/release/tests/slackwater_api_dds_tests --gtest_filter='*Joins.*'
 	SLACKWATER_JOINS=10000 build/release/tests/slackwater_api_tests --gtest_filter='Session.Many*'
+	SLACKWATER_FLOOD_SECONDS=30 ctest --preset release -V -R 'FloodedLiveRun'
 	SLACKWATER_SESSION_MINUTES=120 ctest --preset release -V -R 'LongSession'
 	SLACKWATER_MORE_HANDS=1 ctest --preset release -V -R 'TurnACameraByHand'
 	build/release/api/slackwater demo --out build/soak-demo
