@@ -4,7 +4,7 @@
 namespace slackwater::api {
 
 /// Blocks SIGINT and SIGTERM for this and all later threads, so that one place waits for them. A
-/// thread that a library began before (OpenBLAS does) does not block them: it hands on what it gets.
+/// thread that a library began before (OpenBLAS does) does not block them: it hands them on.
 class StopSignals {
  public:
   StopSignals() {
