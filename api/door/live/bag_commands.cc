@@ -68,7 +68,7 @@ BagCommands::BagCommands(const std::filesystem::path& bag, const std::vector<std
   if (!has_any) {
     throw Error(ErrorKind::invalid_input,
                 bag.string() +
-                    ": holds no cmd_vel, thrusters or waypoints of a vehicle of this "
+                    ": holds no cmd_vel, thrusters, actuators or waypoints of a vehicle of this "
                     "run; expected topics like /" +
                     names.front() + "/cmd_vel as " + types_of("cmd_vel") +
                     found_instead(bag_->channels()));

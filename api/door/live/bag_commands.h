@@ -24,10 +24,10 @@ struct PlayedBag {
 };
 
 /// The commands of a bag, handed in again at the time of the run at which they came (`BagClock`):
-/// `/NAME/cmd_vel`, `thrusters` and `waypoints` of vehicles that the run has; a velocity may be
-/// stamped. They are those of a client "bag FILE", for which the same holds as for any other.
-/// Commands of another type, or for other vehicles, are told of once a topic. Where the bag turns
-/// out to be damaged, that is told, and the run goes on without the rest.
+/// `/NAME/cmd_vel`, `thrusters`, `actuators` and `waypoints` of vehicles that the run has; a
+/// velocity may be stamped. They are those of a client "bag FILE", for which the same holds as for
+/// any other. Commands of another type, or for other vehicles, are told of once a topic. Where the
+/// bag turns out to be damaged, that is told, and the run goes on without the rest.
 class BagCommands {
  public:
   /// @param names       of the run's vehicles on DDS, in the order of the run

@@ -11,18 +11,25 @@ namespace slackwater::live {
 CommandDoor::CommandDoor(Stream& stream, twin::CommandArbiter& arbiter, const RunPlace& place)
     : stream_(stream), arbiter_(arbiter), place_(place) {}
 
-void CommandDoor::open(const std::string& name) {
+void CommandDoor::open(const std::string& name, std::shared_ptr<const twin::Vehicle> model) {
   const auto heard = [&](const char* what, const char* type) {
     return stream_.open("/" + name + "/" + what, type, command_quality, Direction::heard);
   };
   Vehicle vehicle{};
   vehicle.name = name;
+  vehicle.model = std::move(model);
   vehicle.velocity = heard("cmd_vel", "geometry_msgs/msg/Twist");
   vehicle.thrusters = heard("thrusters", "std_msgs/msg/Float64MultiArray");
+  vehicle.actuators = heard("actuators", "slackwater_msgs/msg/Actuators");
   vehicle.waypoints = heard("waypoints", "nav_msgs/msg/Path");
   vehicle.refused = stream_.open("/" + name + "/refused", "std_msgs/msg/String", state_quality);
   const std::lock_guard lock(mutex_);
-  vehicles_.push_back(vehicle);
+  vehicles_.push_back(std::move(vehicle));
+}
+
+std::shared_ptr<const twin::Vehicle> CommandDoor::model(std::size_t vehicle) {
+  const std::lock_guard lock(mutex_);
+  return vehicles_.at(vehicle).model;
 }
 
 Submitted CommandDoor::submit(const std::string& client, std::size_t vehicle,
@@ -63,10 +70,10 @@ std::optional<twin::Refusal> CommandDoor::stale(const std::string& client, std::
   return arbiter_.refuse(
       client, name,
       {twin::RefusalReason::stale,
-       formatted(
-           "found a command that was {:.1f} s on its way, expected at most {:g} s for velocity and "
-           "thrusters; send a new one, do not queue old ones, and check the link",
-           held_back_s, oldest_s)},
+       formatted("found a command that was {:.1f} s on its way, expected at most {:g} s for "
+                 "velocity, thrusters and actuators; send a new one, do not queue old ones, and "
+                 "check the link",
+                 held_back_s, oldest_s)},
       now_s);
 }
 
@@ -79,6 +86,7 @@ void CommandDoor::lost(const std::string& client) {
 CommandDoor::OfVehicle CommandDoor::channel_of(const twin::CommandWhat& what) noexcept {
   if (std::holds_alternative<twin::SetVelocity>(what)) return &Vehicle::velocity;
   if (std::holds_alternative<twin::SetThrusters>(what)) return &Vehicle::thrusters;
+  if (std::holds_alternative<twin::SetActuators>(what)) return &Vehicle::actuators;
   return &Vehicle::waypoints;
 }
 
@@ -88,9 +96,10 @@ void CommandDoor::say_heard(std::size_t vehicle, OfVehicle channel, dds::Bytes h
 }
 
 bool CommandDoor::tell_taken(std::size_t vehicle, const twin::CommandWhat& what) {
-  dds::Bytes heard = order_of(what);
   const std::lock_guard lock(mutex_);
-  if (heard.empty() || vehicle >= vehicles_.size()) return false;
+  if (vehicle >= vehicles_.size()) return false;
+  dds::Bytes heard = order_of(what, *vehicles_[vehicle].model);
+  if (heard.empty()) return false;
   say_heard(vehicle, channel_of(what), std::move(heard));
   return true;
 }

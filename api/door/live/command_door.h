@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ struct Submitted {
 
 /// Where all doors hand in what clients ask of vehicles. It counts for them, lets the arbiter
 /// decide, and sees to it that what was heard and what was refused is told and recorded:
-/// `/NAME/cmd_vel`, `/NAME/thrusters` and `/NAME/waypoints` as they were taken, and
+/// `/NAME/cmd_vel`, `thrusters`, `actuators` and `waypoints` as they were taken, and
 /// `/NAME/refused`, std_msgs/msg/String with {"client", "reason", "text"}.
 ///
 /// `speak` and `open` are for the thread of the run, all else for any thread.
@@ -28,10 +29,13 @@ class CommandDoor {
   CommandDoor(Stream& stream, twin::CommandArbiter& arbiter, const RunPlace& place);
 
   /// Vehicles in the order of the run.
-  void open(const std::string& name);
+  void open(const std::string& name, std::shared_ptr<const twin::Vehicle> model);
+  /// What is known of a vehicle that was opened.
+  [[nodiscard]] std::shared_ptr<const twin::Vehicle> model(std::size_t vehicle);
 
   /// @param heard  the message as it came, of a command topic; empty: none
-  /// @param held_back_s  on its way here; velocity and thrusters of too long ago are stale
+  /// @param held_back_s  on its way here; velocity, thrusters and actuators of too long ago are
+  /// stale
   Submitted submit(const std::string& client, std::size_t vehicle, twin::CommandWhat what,
                    const dds::Bytes& heard = {}, double held_back_s = 0);
   /// What could not even be read; counted like any other.
@@ -55,7 +59,8 @@ class CommandDoor {
  private:
   struct Vehicle {
     std::string name;
-    Stream::ChannelId velocity, thrusters, waypoints, refused;
+    std::shared_ptr<const twin::Vehicle> model;
+    Stream::ChannelId velocity, thrusters, actuators, waypoints, refused;
   };
   struct Said {
     Stream::ChannelId channel;

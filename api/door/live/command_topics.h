@@ -11,8 +11,9 @@ namespace slackwater::live {
 struct CommandTopic {
   const char* name;
   const char* type;
-  /// @throws Error(invalid_input) for bytes that are no such message
-  twin::CommandWhat (*read)(dds::Payload message);
+  /// @throws Error(invalid_input) for bytes that are no such message, or that no such vehicle can
+  /// be told
+  twin::CommandWhat (*read)(dds::Payload message, const twin::Vehicle& vehicle);
 };
 /// A velocity has two: topics of DDS have one type each, and newer stacks send it stamped.
 [[nodiscard]] std::span<const CommandTopic> command_topics() noexcept;
@@ -29,6 +30,6 @@ bool hand_in(CommandDoor& command_door, const std::string& client, std::size_t v
 
 /// A command as the message of the topic that it could have come on, for recordings: a velocity as
 /// geometry_msgs/msg/Twist. Empty where there is no such topic.
-[[nodiscard]] dds::Bytes order_of(const twin::CommandWhat& what);
+[[nodiscard]] dds::Bytes order_of(const twin::CommandWhat& what, const twin::Vehicle& vehicle);
 
 }  // namespace slackwater::live

@@ -1,10 +1,13 @@
 #include "api/door/live/host_link.h"
 
+#include <cmath>
+
 #include "api/door/live/command_topics.h"
 #include "api/door/live/host_check.h"
 #include "api/door/live/reroute.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "twin/vehicle/actuator_channels.h"
 
 namespace slackwater::live {
 namespace {
@@ -16,9 +19,27 @@ constexpr double shortest_s = 0.001;
 /// How long who was taken may listen to nothing.
 constexpr std::chrono::seconds longest_deaf{5};
 
+twin::SetActuators actuators_of(const dds::AgentAsked& asked, const twin::Vehicle& vehicle) {
+  const std::vector<double>& values = asked.thrusters;
+  twin::SetActuators set;
+  set.is_physical = asked.kind == 8;
+  std::size_t there = 0;
+  for (std::size_t i = 0; i < twin::most_channels; ++i) {
+    if (!twin::channel_of(vehicle, i)) continue;
+    if (there < values.size() && !std::isnan(values[there])) set.given.give(i, values[there]);
+    ++there;
+  }
+  if (there != values.size())
+    throw Error(ErrorKind::invalid_input,
+                formatted("a command of {} actuators; expected one number for each of {}",
+                          values.size(), twin::channel_names(vehicle)));
+  return set;
+}
+
 }  // namespace
 
-std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked) {
+std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked,
+                                            const twin::Vehicle& vehicle) {
   const twin::Spatial<double>& v = asked.velocity;
   switch (asked.kind) {
     case 0:
@@ -35,9 +56,12 @@ std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked) {
       return twin::GoHome{};
     case 6:
       return twin::Resume{};
+    case 7:
+    case 8:
+      return actuators_of(asked, vehicle);
     default:
       throw Error(ErrorKind::invalid_input,
-                  formatted("a command of kind {}; kinds are from 0 to 6", int{asked.kind}));
+                  formatted("a command of kind {}; kinds are from 0 to 8", int{asked.kind}));
   }
 }
 
@@ -104,8 +128,11 @@ void HostLink::open(const std::string& name) {
         const dds::HostAsked asked = dds::read_host_request(message);
         const auto refusal = take(vehicle, asked, client);
         const bool is_leaving = asked.role == static_cast<std::uint8_t>(dds::HostRole::leave);
-        const std::string words =
-            refusal.value_or(is_leaving ? "given back" : "hosted by " + client + " from now on");
+        const auto taken = [&] {
+          return "hosted by " + client +
+                 " from now on; actuators: " + twin::channel_names(*command_door_.model(vehicle));
+        };
+        const std::string words = refusal ? *refusal : is_leaving ? "given back" : taken();
         participant_.send(host.answer,
                           dds::host_answer(asked.token, !refusal, words, place_.step_s));
       });
@@ -282,9 +309,10 @@ void HostLink::wait_for_agent(std::size_t vehicle, WallTime asked_at) {
     host.missed = 0;
   }
   try {
-    std::optional<twin::CommandWhat> what = command_of(*asked);
+    const auto model = command_door_.model(vehicle);
+    std::optional<twin::CommandWhat> what = command_of(*asked, *model);
     if (!what || !is_still_agent()) return;
-    const dds::Bytes heard = order_of(*what);
+    const dds::Bytes heard = order_of(*what, *model);
     const Submitted submitted = command_door_.submit(client, vehicle, std::move(*what), heard);
     if (submitted.refusal) {
       drop_agent(vehicle, {*submitted.refusal});

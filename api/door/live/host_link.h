@@ -109,7 +109,9 @@ class HostLink {
 };
 
 /// What an agent asked for, as a command; nothing where it asks for nothing.
-/// @throws Error(invalid_input) for a kind that there is not
-[[nodiscard]] std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked);
+/// @throws Error(invalid_input) for a kind that there is not, and for another number of actuators
+/// than the vehicle has
+[[nodiscard]] std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked,
+                                                          const twin::Vehicle& vehicle);
 
 }  // namespace slackwater::live

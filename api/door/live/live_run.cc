@@ -101,7 +101,7 @@ struct LiveRun::Parts {
       const std::string& name = names.emplace_back(all[i]);
       voices.emplace_back(stream, place, name, agents[i], states[i], run.time_s());
       alarms->open(name);
-      command_door.open(name);
+      command_door.open(name, agents[i].vehicle);
       if (door) door->open(name);
       if (hosts) hosts->open(name);
     }

@@ -4,6 +4,7 @@
 #include "api/door/dds/message/map_frame.h"
 #include "api/door/dds/message/path_message.h"
 #include "nav_msgs.h"
+#include "slackwater_msgs.h"
 
 namespace slackwater::dds {
 namespace {
@@ -19,6 +20,18 @@ struct NumbersAsked {
     std::uint32_t data_offset = 0;
     cdr >> data_offset;
     for_each_element<double>(cdr, [&](double number) { numbers.push_back(number); });
+  }
+};
+
+/// slackwater_msgs/msg/Actuators, its lists read one by one.
+struct NamedNumbersAsked {
+  ActuatorsAsked asked;
+
+  void deserialize(Cdr& cdr) {
+    for_each_element<std::string>(
+        cdr, [&](std::string& name) { asked.name.push_back(std::move(name)); });
+    for_each_element<double>(cdr, [&](double value) { asked.value.push_back(value); });
+    cdr >> asked.is_physical;
   }
 };
 
@@ -61,6 +74,10 @@ std::vector<double> thrusters_asked(Payload message) {
   return decoded<NumbersAsked>(message).numbers;
 }
 
+ActuatorsAsked actuators_asked(Payload message) {
+  return decoded<NamedNumbersAsked>(message).asked;
+}
+
 std::vector<twin::Triple<double>> path_asked(Payload message) {
   return decoded<PathAsked>(message).places_m;
 }
@@ -70,6 +87,14 @@ Bytes velocity_order(const twin::Spatial<double>& nu) { return encoded(twist_mes
 Bytes thrusters_order(const std::vector<double>& shares) {
   std_msgs::msg::Float64MultiArray message;
   message.data(shares);
+  return encoded(message);
+}
+
+Bytes actuators_order(const ActuatorsAsked& asked) {
+  slackwater_msgs::msg::Actuators message;
+  message.name(asked.name);
+  message.value(asked.value);
+  message.is_physical(asked.is_physical);
   return encoded(message);
 }
 

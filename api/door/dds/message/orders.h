@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "api/door/dds/message/bytes.h"
@@ -19,6 +20,13 @@ namespace slackwater::dds {
 [[nodiscard]] twin::Spatial<double> stamped_velocity_asked(Payload message);
 /// std_msgs/msg/Float64MultiArray: -1 to 1 for each thruster, in the file's order.
 [[nodiscard]] std::vector<double> thrusters_asked(Payload message);
+/// slackwater_msgs/msg/Actuators.
+struct ActuatorsAsked {
+  std::vector<std::string> name;
+  std::vector<double> value;  ///< one for each name, or it means nothing: for the reader to say
+  bool is_physical = false;   ///< in the unit of each; else shares, -1 to 1
+};
+[[nodiscard]] ActuatorsAsked actuators_asked(Payload message);
 /// nav_msgs/msg/Path in `map`. @return NED, m
 /// @throws Error(invalid_input) for a path in another frame too
 [[nodiscard]] std::vector<twin::Triple<double>> path_asked(Payload message);
@@ -27,6 +35,7 @@ namespace slackwater::dds {
 
 [[nodiscard]] Bytes velocity_order(const twin::Spatial<double>& nu);
 [[nodiscard]] Bytes thrusters_order(const std::vector<double>& shares);
+[[nodiscard]] Bytes actuators_order(const ActuatorsAsked& asked);
 
 /// Where a vehicle told that it was: geometry_msgs/msg/PoseStamped.
 struct PlaceTold {

@@ -49,6 +49,12 @@ struct ReaderCase {
          w.put(1U).string("thruster").put(4U).put(4U).put(0U).put(4U).doubles({1, -1, 0.5, 0});
        },
        false},
+      {"actuators", [](Payload p) { (void)dds::actuators_asked(p); },
+       [](HandWriter& w) {
+         w.put(2U).string("starboard").string("rudder").put(2U).doubles({0.5, -0.25});
+         w.put(std::uint8_t{1});
+       },
+       false},
       {"waypoints", [](Payload p) { (void)dds::path_asked(p); }, path, false},
       {"trigger", [](Payload p) { dds::read_trigger(p); },
        [](HandWriter& w) { w.put(std::uint8_t{0}); }},

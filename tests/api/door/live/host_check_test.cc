@@ -2,12 +2,17 @@
 #include "api/door/live/host_check.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "api/door/live/command_topics.h"
 #include "api/door/live/host_link.h"
 #include "fields/base/error.h"
+#include "tests/support/contains.h"
+#include "tests/support/error_of.h"
+#include "tests/support/vehicle_for_tests.h"
 #include "tests/twin/run/run_for_tests.h"
+#include "twin/vehicle/actuator_channels.h"
 
 namespace slackwater::tests::host_check_test {
 namespace {
@@ -101,33 +106,64 @@ TEST(HostCheck, WhatItDrawsComesOutOfTheBattery) {
   EXPECT_NEAR(after.current_a * after.bus_voltage_v, 200, 0.01);
 }
 
+const twin::Vehicle& rov() {
+  static const twin::Vehicle vehicle = bundled_vehicle("bluerov2_heavy");
+  return vehicle;
+}
+std::optional<twin::CommandWhat> command_of(const dds::AgentAsked& asked) {
+  return live::command_of(asked, rov());
+}
+
 TEST(HostCheck, AgentsAskForWhatThereIs) {
   dds::AgentAsked asked;
-  EXPECT_FALSE(live::command_of(asked)) << "nothing";
+  EXPECT_FALSE(command_of(asked)) << "nothing";
   asked.kind = 1;
   asked.velocity.linear = {0.5, 0.1, -0.2};
   asked.velocity.angular.z = 0.3;
-  const auto velocity = std::get<twin::SetVelocity>(live::command_of(asked).value()).velocity;
+  const auto velocity = std::get<twin::SetVelocity>(command_of(asked).value()).velocity;
   EXPECT_EQ(velocity.surge_m_s, 0.5);
   EXPECT_EQ(velocity.heave_m_s, -0.2);
   EXPECT_EQ(velocity.yaw_rate_rad_s, 0.3);
   asked.kind = 3;
   asked.places_m = {{1, 2, 3}, {4, 5, 6}};
-  const auto reroute = std::get<twin::Reroute>(live::command_of(asked).value());
+  const auto reroute = std::get<twin::Reroute>(command_of(asked).value());
   ASSERT_EQ(reroute.waypoints.size(), 2U);
   EXPECT_EQ(reroute.waypoints[1].position_m.z, 6);
   EXPECT_FALSE(reroute.loop);
-  asked.kind = 7;
-  EXPECT_THROW((void)live::command_of(asked), Error);
+  asked.kind = 9;
+  EXPECT_THROW((void)command_of(asked), Error);
+}
+
+// A number for each actuator, in the order that it was told; none where it is no number.
+TEST(HostCheck, AgentsAskForActuatorsInTheirOrder) {
+  const twin::Vehicle auv = bundled_vehicle("lrauv_tethys");
+  EXPECT_EQ(twin::channel_names(auv), "thruster_1, rudder, elevator, moving_mass, volume");
+  dds::AgentAsked asked;
+  asked.thrusters = {0.5, -1, std::nan(""), std::nan(""), 0.25};
+  for (const std::uint8_t kind : std::array<std::uint8_t, 2>{7, 8}) {
+    asked.kind = kind;
+    const auto set = std::get<twin::SetActuators>(live::command_of(asked, auv).value());
+    EXPECT_EQ(set.is_physical, kind == 8);
+    twin::ActuatorValues wanted;
+    wanted.give(0, 0.5);
+    wanted.give(twin::rudder_channel, -1);
+    wanted.give(twin::volume_channel, 0.25);
+    EXPECT_EQ(set.given, wanted);
+  }
+  asked.thrusters.pop_back();
+  EXPECT_TRUE(contains(error_of([&] { return live::command_of(asked, auv); }),
+                       "a command of 4 actuators; expected one number for each of thruster_1, "
+                       "rudder"));
 }
 
 /// So that a bag of it, played, drives as the agent did.
 TEST(HostCheck, WhatAgentsAskForIsHeardAsOnTheTopicThatHasIt) {
   const auto heard_on = [](const char* topic, const char* type, const dds::AgentAsked& asked) {
-    return live::command_topic_of(topic, type)->read(live::order_of(*live::command_of(asked)));
+    const dds::Bytes heard = live::order_of(*command_of(asked), rov());
+    return live::command_topic_of(topic, type)->read(heard, rov());
   };
   dds::AgentAsked asked;
-  EXPECT_FALSE(live::command_of(asked)) << "nothing";
+  EXPECT_FALSE(command_of(asked)) << "nothing";
   asked.kind = 1;
   asked.velocity.linear = {0.5, 0.1, -0.2};
   asked.velocity.angular.z = 0.3;
@@ -143,6 +179,15 @@ TEST(HostCheck, WhatAgentsAskForIsHeardAsOnTheTopicThatHasIt) {
       std::get<twin::SetThrusters>(heard_on("thrusters", "std_msgs/msg/Float64MultiArray", asked))
           .share,
       asked.thrusters);
+  for (const std::uint8_t kind : std::array<std::uint8_t, 2>{7, 8}) {
+    asked.kind = kind;
+    asked.thrusters = {0.25, -1, std::nan(""), 0, 0, 0, 0, 0.5};
+    const auto set =
+        std::get<twin::SetActuators>(heard_on("actuators", "slackwater_msgs/msg/Actuators", asked));
+    EXPECT_EQ(set.given, std::get<twin::SetActuators>(*command_of(asked)).given);
+    EXPECT_FALSE(set.given.has(2));
+    EXPECT_EQ(set.is_physical, kind == 8);
+  }
   asked.kind = 3;
   asked.places_m = {{1, 2, 3}, {4, 5, 6}};
   const auto reroute = std::get<twin::Reroute>(heard_on("waypoints", "nav_msgs/msg/Path", asked));
@@ -151,7 +196,7 @@ TEST(HostCheck, WhatAgentsAskForIsHeardAsOnTheTopicThatHasIt) {
   EXPECT_EQ(reroute.waypoints[1].position_m.z, 6);
   for (const std::uint8_t kind : std::array<std::uint8_t, 3>{4, 5, 6}) {
     asked.kind = kind;
-    EXPECT_TRUE(live::order_of(*live::command_of(asked)).empty()) << "no topic has it";
+    EXPECT_TRUE(live::order_of(*command_of(asked), rov()).empty()) << "no topic has it";
   }
 }
 

@@ -28,8 +28,8 @@ json json_in(const LiveMessage& message) {
   return json::parse(message.payload.begin() + 8, message.payload.end() - 1);
 }
 
-/// Velocities, some beyond the vehicle; thrusters, some of a wrong count; waypoints; and what is no
-/// message.
+/// Velocities, some beyond the vehicle; thrusters, some of a wrong count; actuators, one of no name
+/// of the vehicle; waypoints; and what is no message.
 std::filesystem::path mixed_bag(const std::filesystem::path& path) {
   bag::Writer writer = bag::open_recording(path);
   const auto velocity = writer.add_channel({"/rov_1/cmd_vel", "geometry_msgs/msg/Twist", "", {}});
@@ -40,6 +40,12 @@ std::filesystem::path mixed_bag(const std::filesystem::path& path) {
   for (int i = 0; i < 4; ++i) writer.write(velocity, ns_of(4 + 0.1 * i), twist(30, 0));
   for (int i = 0; i < 20; ++i)
     writer.write(thrusters, ns_of(5 + 0.1 * i), dds::thrusters_order(std::vector(8, 0.01 * i)));
+  const auto actuators =
+      writer.add_channel({"/rov_1/actuators", "slackwater_msgs/msg/Actuators", "", {}});
+  for (int i = 0; i < 6; ++i)
+    writer.write(actuators, ns_of(7 + 0.05 * i),
+                 dds::actuators_order({{"thruster_2", "thruster_5"}, {0.1 * i, -0.1}, false}));
+  writer.write(actuators, ns_of(7.4), dds::actuators_order({{"rudder"}, {0.1}, false}));
   for (int i = 0; i < 2; ++i)
     writer.write(thrusters, ns_of(7 + 0.1 * i), dds::thrusters_order({0.1, 0.1}));
   writer.write(velocity, ns_of(7.5), dds::Bytes{0, 1, 0, 0, 1, 2, 3, 4});
@@ -70,8 +76,9 @@ TEST(ToldAgain, ARecordingOfTheReplayHasWhatThatOfTheRunHas) {
   Topics was = by_topic(first), is = by_topic(again);
   ASSERT_EQ(was["/rov_1/cmd_vel"].size(), 40U);
   ASSERT_EQ(was["/rov_1/thrusters"].size(), 20U);
+  ASSERT_EQ(was["/rov_1/actuators"].size(), 6U);
   ASSERT_EQ(was["/rov_1/waypoints"].size(), 10U);
-  ASSERT_EQ(was["/rov_1/refused"].size(), 7U);
+  ASSERT_EQ(was["/rov_1/refused"].size(), 8U);
   const auto refused_then = was["/rov_1/refused"], refused_now = is["/rov_1/refused"];
   // Whoever was at the helm then is not at it now.
   for (const char* apart : {"/rov_1/refused", "/rov_1/mission_state"}) {
@@ -99,14 +106,14 @@ TEST(ToldAgain, ARecordingOfTheReplayHasWhatThatOfTheRunHas) {
   EXPECT_EQ(told, last);
   EXPECT_EQ(count.size(), 3U) << "out_of_range, wrong_count, unreadable";
   const json commands = json::parse(replayed.out).at("commands");
-  EXPECT_EQ(commands.at("refused"), json({{"in_log", 7}, {"recorded", 7}, {"messages", 3}}));
-  EXPECT_EQ(commands.at("taken"),
-            json::parse(R"([{"kind": "thrusters", "in_log": 20, "recorded": 20},
+  EXPECT_EQ(commands.at("refused"), json({{"in_log", 8}, {"recorded", 8}, {"messages", 3}}));
+  EXPECT_EQ(commands.at("taken"), json::parse(R"([{"kind": "actuators", "in_log": 6, "recorded": 6},
+                            {"kind": "thrusters", "in_log": 20, "recorded": 20},
                             {"kind": "velocity", "in_log": 40, "recorded": 40},
                             {"kind": "waypoints", "in_log": 10, "recorded": 10}])"));
   std::filesystem::remove(again);
   const ProgramResult words = run_program({"replay", log, "--record", again});
-  EXPECT_NE(words.out.find("recorded: 70 of 70 commands, 7 of 7 refusals in 3 messages\n"),
+  EXPECT_NE(words.out.find("recorded: 76 of 76 commands, 8 of 8 refusals in 3 messages\n"),
             std::string::npos)
       << words.out;
 }

@@ -3,6 +3,7 @@
 
 #include "api/door/live/command_door.h"
 #include "api/door/people/run_desk.h"
+#include "tests/support/vehicle_for_tests.h"
 #include "tests/twin/run/run_for_tests.h"
 
 namespace slackwater::tests::same_track_test {
@@ -71,7 +72,7 @@ Pilot client_of_dds(const api::RunInHand& hand) {
   const auto stream = std::make_shared<live::Stream>();
   const auto door = std::make_shared<live::CommandDoor>(
       *stream, hand.arbiter, live::RunPlace{hand.start, hand.origin, 0, step_s});
-  door->open("rov");
+  door->open("rov", std::make_shared<const twin::Vehicle>(bundled_vehicle("bluerov2_heavy")));
   return [=](int step) {
     (void)stream;  // outlives the door
     const live::Submitted submitted = door->submit("dds 01", 0, twin::SetVelocity{asked_at(step)});

@@ -96,6 +96,28 @@ TEST_P(OrdersOfClients, ThrustersWithAndWithoutALayout) {
   EXPECT_TRUE(thrusters_asked(HandWriter(GetParam()).put(0U).put(0U).put(0U).bytes()).empty());
 }
 
+ActuatorsAsked two_actuators() { return {{"left", "rudder"}, {0.5, -0.25}, true}; }
+Bytes two_by_hand(Order order) {
+  HandWriter writer(order);
+  writer.put(2U).string("left").string("rudder").put(2U).doubles({0.5, -0.25});
+  return writer.put(std::uint8_t{1}).bytes();
+}
+
+TEST_P(OrdersOfClients, ActuatorsByTheirNames) {
+  const ActuatorsAsked asked = actuators_asked(two_by_hand(GetParam()));
+  EXPECT_EQ(asked.name, two_actuators().name);
+  EXPECT_EQ(asked.value, two_actuators().value);
+  EXPECT_TRUE(asked.is_physical);
+  const ActuatorsAsked none =
+      actuators_asked(HandWriter(GetParam()).put(0U).put(0U).put(std::uint8_t{0}).bytes());
+  EXPECT_TRUE(none.name.empty() && none.value.empty());
+  EXPECT_FALSE(none.is_physical);
+}
+
+TEST(OrdersAsMessages, OfActuatorsHaveTheBytesOfAClient) {
+  EXPECT_EQ(actuators_order(two_actuators()), two_by_hand(Order::little));
+}
+
 HandWriter& put_path(HandWriter& writer, const std::string& frame, const std::string& pose_frame) {
   writer.header(10, 20, frame).put(2U);
   for (const double scale : {1, 10})
