@@ -104,7 +104,7 @@ TEST_F(SimulateTraffic, ARunReplaysToTheByteWithoutItsLogsHoweverItIsStepped) {
   std::filesystem::copy(scenarios / "made_up_traffic.csv", path("made_up_traffic.csv"));
   const json summary = simulated(path("run.yaml"), {"--out", path("run.nc")});
   ASSERT_EQ(run_program({"simulate", path("run.yaml"), "--out", path("other.nc"), "--one-by-one",
-                         "--threads", "4"})
+                         "--threads", "2"})
                 .exit_code,
             0);
   EXPECT_EQ(read_bytes(path("other.nc")), read_bytes(path("run.nc")));
