@@ -1,20 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "fields/base/constants.h"
+#include "tests/support/page_keys.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/vehicle_for_tests.h"
 #include "tests/twin/validation/flight.h"
@@ -28,7 +24,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Words = std::set<std::string, std::less<>>;
+using tests::in_one_but_not;
+using tests::keys_in_tables;
+using tests::section_of;
+using tests::text_of_source;
+using tests::Words;
+using tests::words_quoted_in;
+using tests::yaml_block_of;
 
 /// A section of the page, and the readers of the keys in its tables.
 struct PagePart {
@@ -57,43 +59,6 @@ const Words no_keys{"rov",       "auv",    "uav",       "usv",      "vessel",
                     "volume",    "none",   "pulses",    "voltages", "batteries",
                     "thruster_", "XYZKMN", "uvwpqr"};
 
-std::string text_of_file(const fs::path& file) {
-  std::ifstream stream(tests::source_folder() / file);
-  EXPECT_TRUE(stream.good()) << file;
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-bool is_word(std::string_view text) {
-  return !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
-         std::all_of(text.begin(), text.end(), [](char c) {
-           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-         });
-}
-
-/// What stands between two of a mark in a text.
-std::vector<std::string> between(std::string_view text, char mark) {
-  std::vector<std::string> found;
-  for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
-    const std::size_t end = text.find(mark, at + 1);
-    if (end == std::string_view::npos) break;
-    found.emplace_back(text.substr(at + 1, end - at - 1));
-    at = text.find(mark, end + 1);
-  }
-  return found;
-}
-
-/// The words between quotes in C++, but for its includes and comments.
-Words words_quoted_in(const std::string& source) {
-  Words found;
-  std::istringstream lines(source);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("#")) continue;
-    for (const std::string& quoted : between(line.substr(0, line.find("//")), '"'))
-      if (is_word(quoted)) found.insert(quoted);
-  }
-  return found;
-}
-
 /// The names that are made of letters: read_derivatives.cc.
 Words derivatives() {
   Words made;
@@ -114,48 +79,19 @@ Words keys_asked_for(const PagePart& part) {
   Words asked;
   if (std::string_view(part.title) == "Body") asked = derivatives();
   for (const char* reader : part.readers)
-    for (const std::string& word : words_quoted_in(text_of_file(reader)))
+    for (const std::string& word : words_quoted_in(text_of_source(reader)))
       if (!no_keys.contains(word)) asked.insert(word);
   return asked;
-}
-
-std::string section_of(const std::string& page, const std::string& title) {
-  const std::string heading = "\n## " + title + "\n";
-  const std::size_t begin = page.find(heading);
-  EXPECT_NE(begin, std::string::npos) << title;
-  if (begin == std::string::npos) return {};
-  return page.substr(begin, page.find("\n## ", begin + heading.size()) - begin);
-}
-
-/// What the first column of tables names that have keys there: | key | unit | ...
-Words keys_in_tables(const std::string& section) {
-  Words keys;
-  bool has_keys = false;
-  std::istringstream lines(section);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("| key |")) has_keys = true;
-    if (!line.starts_with("|")) has_keys = false;
-    if (!has_keys) continue;
-    for (const std::string& key : between(line.substr(0, line.find('|', 1)), '`')) keys.insert(key);
-  }
-  return keys;
-}
-
-std::string in_one_but_not(const Words& one, const Words& other) {
-  std::string all;
-  for (const std::string& word : one)
-    if (!other.contains(word)) all += (all.empty() ? "" : ", ") + word;
-  return all;
 }
 
 const char* const page_of_vehicles = "api/docs/vehicle_file.md";
 
 TEST(VehicleFilePage, HasTheKeysThatTheReadersAskFor) {
-  const std::string page = text_of_file(page_of_vehicles);
+  const std::string page = text_of_source(page_of_vehicles);
   std::size_t count = 0;
   for (const PagePart& part : parts) {
     const Words asked = keys_asked_for(part);
-    const Words told = keys_in_tables(section_of(page, part.title));
+    const Words told = keys_in_tables(section_of(page, std::string("## ") + part.title));
     EXPECT_EQ(in_one_but_not(asked, told), "") << "are not in a table of: " << part.title;
     EXPECT_EQ(in_one_but_not(told, asked), "") << "nobody asks for, of: " << part.title;
     count += told.size();
@@ -187,23 +123,14 @@ TEST(VehicleFilePage, KeysAreToldFromOtherWords) {
   EXPECT_EQ(keys_in_tables("| your table | key |\n|---|---|\n| `not` | |\n\n"
                            "| key | unit |\n|---|---|\n| `a`, **`b_m`** | `c` |\ntext `d`\n"),
             (Words{"a", "b_m"}));
-  EXPECT_EQ(section_of("x\n## One\n1\n## Two\n2\n", "One"), "\n## One\n1");
-}
-
-/// The block of YAML of a page that begins like that.
-std::string block_of(const std::string& page, const std::string& begins) {
-  const std::string fence = "```yaml\n";
-  const std::size_t begin = page.find(fence + begins);
-  EXPECT_NE(begin, std::string::npos) << begins;
-  if (begin == std::string::npos) return {};
-  const std::size_t text = begin + fence.size();
-  return page.substr(text, page.find("\n```", text) + 1 - text);
+  EXPECT_EQ(section_of("x\n## One\n1\n### Of it\n## Two\n2\n", "## One"), "\n## One\n1\n### Of it");
 }
 
 /// From the tables as they are typed in: the sums and signs that the page says come of them.
 TEST(VehicleFilePage, ItsExampleIsAVehicle) {
   const tests::TemporaryFolder folder;
-  std::ofstream(folder / "remus100.yaml") << block_of(text_of_file(page_of_vehicles), "id: ");
+  std::ofstream(folder / "remus100.yaml")
+      << yaml_block_of(text_of_source(page_of_vehicles), "id: ");
   const Vehicle remus = read_vehicle(folder / "remus100.yaml", tests::source_folder() / "data");
   for (const std::string& warning : remus.warnings) ADD_FAILURE() << warning;
   // 24.0 less the moment of the added mass, 35.5 - 0.93; likewise aside.
@@ -228,11 +155,11 @@ TEST(VehicleFilePage, ItsExampleIsAVehicle) {
 
 /// It is unstable without its fins: its autopilot holds it on the way of the page's dive.
 TEST(VehicleFilePage, ItsExampleDives) {
-  const std::string page = text_of_file(page_of_vehicles);
+  const std::string page = text_of_source(page_of_vehicles);
   const tests::TemporaryFolder folder;
   const std::string file = (folder / "remus100.yaml").string();
-  std::ofstream(file) << block_of(page, "id: ");
-  std::string dive = block_of(page, "name: A dive");
+  std::ofstream(file) << yaml_block_of(page, "id: ");
+  std::string dive = yaml_block_of(page, "name: A dive");
   const std::string model = "model: remus100.yaml";
   const std::size_t at = dive.find(model);
   ASSERT_NE(at, std::string::npos);
