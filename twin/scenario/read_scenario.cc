@@ -445,8 +445,10 @@ std::optional<ScenarioFault> fault_of(const Scenario& scenario) {
 namespace {
 
 Scenario read(const Config& config) {
-  if (config.has("tasks") && config.has("turbines"))
-    config.refuse("tasks", "a scenario has none; this is a mission, fly it with `rehearse`");
+  if (config.has("tasks"))
+    config.refuse("tasks", config.has("turbines")
+                               ? "a scenario has none; this is a mission, fly it with `rehearse`"
+                               : "a scenario has none of its own; write them below a vehicle");
   Scenario s = read_setting(config, {});
   if (has_seconds(config, "home_after"))
     s.home_after_s = read_seconds(config, "home_after", {0, 86400});

@@ -91,6 +91,7 @@ TEST(ReadScenario, RefusesWhatCannotBe) {
       {"seed: 7", "seed: -1", "-1"},
       {"seed: 7", "seed: 7\nnavigation: stars", "stars"},
       {"seed: 7", "seed: 7\nlog: {sensor: true}", "sensors"},
+      {"seed: 7", "seed: 7\ntasks: [{do: hold}]", "below a vehicle"},
       {"duration: 10min", "duration: 10", "10"},
       {"duration: 10min", "duration: 0min", "expected"},
       {"step_s: 0.05", "step_s: 50", "50"},
