@@ -73,6 +73,7 @@ soak: test-packages venv
 	SLACKWATER_JOINS=10000 build/release/tests/slackwater_api_tests --gtest_filter='Session.Many*'
 	SLACKWATER_FLOOD_SECONDS=30 ctest --preset release -V -R 'FloodedLiveRun'
 	SLACKWATER_SESSION_MINUTES=120 ctest --preset release -V -R 'LongSession'
+	SLACKWATER_SCENE_MINUTES=30 ctest --preset release -V -R 'DrawTheSceneOfARun'
 	SLACKWATER_MORE_HANDS=1 ctest --preset release -V -R 'TurnACameraByHand'
 	build/release/api/slackwater demo --out build/soak-demo
 	tests/soak/serve build/release/api/slackwater build/soak-demo/store

@@ -85,7 +85,7 @@ bool run_and_kill(const StoreForTests& store, const std::vector<std::string>& co
 }
 
 TEST(Kill, AtAnyInstantLeavesASoundStoreThatForgetsNothing) {
-  const int kills = asked_number("SLACKWATER_KILLS", 10);
+  const int kills = asked_number("SLACKWATER_KILLS", 7);
   const auto seed = static_cast<unsigned>(asked_number("SLACKWATER_SEED", 20250301));
   std::mt19937_64 random(seed);
   std::unique_ptr<StoreForTests> store;

@@ -14,6 +14,7 @@ const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const TOKENS = { Ann: "ann-0123456789abcdef", Bob: "bob-0123456789abcdef", Sue: "sue-0123456789abcdef" };
 const PILE = { east_m: 20, north_m: 0 }; // of the scenario, 10 m thick
 const LEAST_CUT_MS = process.env.SLACKWATER_LONG_CUT ? 24000 : 8000; // the seat is kept 30 s, and the page tries each 4 s
+const VIEW = { width: 1024, height: 640 }; // the scene is drawn without a graphics card: its time goes by its area
 const LIMIT_MS = 30000; // generous: sanitizers, two cores
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 
@@ -47,7 +48,7 @@ class Person {
   static async sitDown(name, browser, search = "") {
     const context = await browser.createBrowserContext();
     const person = new Person(name, await context.newPage());
-    await person.page.setViewport({ width: 1280, height: 800 });
+    await person.page.setViewport(VIEW);
     await person.page.evaluateOnNewDocument(hear);
     person.page.on("pageerror", (error) => fail(`the page of ${name} throws`, error));
     const took = (url, from) => {
@@ -108,6 +109,12 @@ class Person {
       button?.click();
       return Boolean(button);
     }, text);
+  }
+  /** The scene in the place of the plan, or the plan. */
+  async showScene(is_wanted) {
+    const is_shown = await this.page.evaluate(() => !document.querySelector("#scene").hidden);
+    if (is_shown !== is_wanted) await this.press("Scene");
+    await this.until("the scene or the plan", (is_wanted) => document.querySelector("#scene").hidden !== is_wanted, is_wanted);
   }
   async takeHelm() {
     await this.press("Ask for the helm");
@@ -501,6 +508,7 @@ const steps = {
   },
 
   async "a lesson is done with the weather, for all, and given back"() {
+    await sue.showScene(false);
     await sue.press("Battery against current");
     await sue.press("About eight times as much");
     await sue.reads(".lessons", /^.*Yes\./s);
@@ -544,6 +552,7 @@ const steps = {
             choice.dispatchEvent(new Event("change"));
           }, palette);
           await person.until("the width", (width) => innerWidth === width, width);
+          if (person === sue) await sue.showScene(palette === "day" ? width === 1280 : width === 390);
           const faults = await person.page.evaluate(async () => {
             const found = await axe.run(document, { iframes: false });
             return found.violations.map((it) => `${it.id}: ${it.nodes.map((node) => node.target).join(" ")}`);

@@ -34,7 +34,7 @@ bool is_prefix(const std::vector<Message>& some, const std::vector<Message>& all
 }
 
 TEST(McapBag, CutShortAtAnyByteIsReadUpToTheCut) {
-  const auto messages = some_messages(8);
+  const auto messages = some_messages(5);
   const Bytes whole = small_recording(messages);
   const TemporaryFolder folder;
   std::size_t before = 0;
@@ -60,7 +60,7 @@ TEST(McapBag, CutShortAtAnyByteIsReadUpToTheCut) {
 }
 
 TEST(McapBag, AnyByteChangedIsRefusedOrTold) {
-  const auto messages = some_messages(8);
+  const auto messages = some_messages(5);
   const Bytes whole = small_recording(messages);
   const TemporaryFolder folder;
   std::size_t read_all = 0;

@@ -33,7 +33,7 @@ void expect_intact(Store& store, int number) {
 }
 
 /// Of four kinds of trouble `make test` lets each fourth call fail, in turn; `make soak` every one.
-const int fail_every = slackwater::tests::asked_number("SLACKWATER_FAIL_EVERY", 4);
+const int fail_every = slackwater::tests::asked_number("SLACKWATER_FAIL_EVERY", 6);
 
 /// Runs `step` on a copy of a store that holds source and forecast 1, with its Nth call failing,
 /// for all N, or each so-manyth.

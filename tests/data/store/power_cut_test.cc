@@ -96,7 +96,7 @@ std::vector<std::string> cut_everywhere(const Recording& recording,
 
 const auto nothing = [](const RecordedCall&) { return false; };
 /// `make soak` cuts after every call in every way.
-const int cut_every = slackwater::tests::asked_number("SLACKWATER_CUT_EVERY", 3);
+const int cut_every = slackwater::tests::asked_number("SLACKWATER_CUT_EVERY", 5);
 
 TEST(PowerCut, LosesNothingThatWasReportedDoneWhereverItFalls) {
   const Recording recording({"open", "ingest:1", "forecast:1", "close", "ingest:2", "forecast:2"});

@@ -67,7 +67,7 @@ TEST(StagedLook, IsTheSameOnAnyNumberOfThreadsAndInAnyOrder) {
 
 TEST(StagedLook, LooksFromAsFarAndAsAskewAsItSays) {
   const Stage stage(stage_with());
-  for (std::uint64_t i = 0; i < 8; ++i) {
+  for (std::uint64_t i = 0; i < 4; ++i) {
     const StagedLook look = stage.look(1, i, 1);
     const auto middle = static_cast<std::size_t>(180 * 640 + 320);
     EXPECT_NEAR(look.truth.depth_m[middle], look.range_m, 0.01 * look.range_m) << i;
@@ -91,7 +91,7 @@ TEST(StagedLook, ADefectShowsOnAsMuchOfTheSurfaceAsItHas) {
   const Stage stage(stage_with({"off_square_deg: [0, 0]", "range_m: [1, 1]", "most_defects: 1"}));
   const double focal = 320 / std::tan(32 * constants::degree);
   std::size_t whole = 0;
-  for (std::uint64_t i = 0; whole < 3 && i < 30; ++i) {
+  for (std::uint64_t i = 0; whole < 2 && i < 30; ++i) {
     const StagedLook look = stage.look(2, i, 1);
     ASSERT_EQ(look.defects.size(), 1U);
     const StagedDefect& planted = look.defects[0];
@@ -113,7 +113,7 @@ TEST(StagedLook, ADefectShowsOnAsMuchOfTheSurfaceAsItHas) {
         planted.quality.ground_sampling_m / (planted.quality.contrast * planted.quality.light),
         1e-9);
   }
-  EXPECT_GE(whole, 3U);
+  EXPECT_GE(whole, 2U);
 }
 
 TEST(StagedLook, AsManyAreBareAsTheStageSays) {

@@ -80,7 +80,7 @@ TEST(WriteScenario, EachTaskComesBackAsItWasLaidOut) {
 }
 
 TEST(WriteScenario, MadeUpOnesComeBack) {
-  const int seeds = asked_number("SLACKWATER_SCENARIOS", 150);
+  const int seeds = asked_number("SLACKWATER_SCENARIOS", 80);
   for (int seed = 1; seed <= seeds && !HasFailure(); ++seed)
     expect_comes_back(RandomScenario(static_cast<std::uint64_t>(seed)).make(),
                       "seed " + std::to_string(seed));

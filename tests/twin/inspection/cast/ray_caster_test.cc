@@ -79,7 +79,7 @@ TEST(RayCaster, IsTheBruteForceCasterToTheBit) {
   const auto meshes = made_up_scene();
   const RayCaster caster(meshes);
   std::size_t hits = 0;
-  for (const Ray& ray : rays_at(meshes, 100000)) {
+  for (const Ray& ray : rays_at(meshes, 25000)) {
     const auto expected = by_brute_force(meshes, ray, endless);
     hits += expected ? 1 : 0;
     ASSERT_EQ(caster.first_hit(ray, endless), expected);
@@ -90,8 +90,8 @@ TEST(RayCaster, IsTheBruteForceCasterToTheBit) {
     ASSERT_EQ(caster.first_hit(ray, less_m), std::nullopt);
     ASSERT_FALSE(caster.is_blocked(ray, less_m));
   }
-  EXPECT_GT(hits, 40000U);
-  EXPECT_LT(hits, 90000U);
+  EXPECT_GT(hits, 10000U);
+  EXPECT_LT(hits, 22500U);
 }
 
 TEST(RayCaster, GivesTheSameBitsOnEachInstructionSet) {
