@@ -77,10 +77,8 @@ std::string no_waves(SampleStatus status) {
   return "the forecast has no waves there (" + std::string(name_of(status)) + ")";
 }
 
-std::shared_ptr<const SeaRealisation> realised(const Scenario& scenario,
-                                               const Environment& environment,
-                                               const PartitionedSea& sea) {
-  if (sea.partitions.empty() || !(sea.significant_height_m() > 0)) return nullptr;
+/// At the origin.
+WaveWater water_of(const Environment& environment) {
   const Field& field = *environment.field;
   const GeoPoint& origin = environment.origin;
   const Place at_surface{origin.longitude_deg(), origin.latitude_deg(), 0, environment.epoch};
@@ -94,14 +92,29 @@ std::shared_ptr<const SeaRealisation> realised(const Scenario& scenario,
   const CurrentSample current = field.current(at_surface, environment.member);
   WaveWater water{bed.water_depth_m, {}};
   if (has_value(current.status)) water.current_m_s = current.velocity_m_s;
-  return std::make_shared<const SeaRealisation>(
-      realise(sea, water, scenario.seed, environment.epoch, {.count = scenario.waves.components}));
+  return water;
+}
+
+std::shared_ptr<const SeaRealisation> realised(const Scenario& scenario,
+                                               const Environment& environment,
+                                               const PartitionedSea& sea) {
+  if (sea.partitions.empty() || !(sea.significant_height_m() > 0)) return nullptr;
+  return std::make_shared<const SeaRealisation>(realise(sea, water_of(environment), scenario.seed,
+                                                        environment.epoch,
+                                                        {.count = scenario.waves.components}));
 }
 
 }  // namespace
 
 RunSea sea_of_run(const Scenario& scenario, const Environment& environment,
                   std::vector<std::string>& warnings) {
+  if (const auto& wave = scenario.waves.regular)
+    return {with_context("waves",
+                         [&] {
+                           return std::make_shared<const SeaRealisation>(
+                               realise(*wave, water_of(environment), environment.epoch));
+                         }),
+            wave->period_s};
   if (const PartitionedSea& stated = scenario.waves.made_up; !scenario.waves.from_forecast)
     return {realised(scenario, environment, stated), stated.peak_period_s()};
   const KnownSea known = sea_at_nodes(environment, scenario.duration_s);

@@ -230,7 +230,9 @@ ReadyRun set_up(const Scenario& scenario, const Surround& surround) {
   environment.member = scenario.member;
   environment.origin = ready.origin;
   environment.epoch = ready.start;
-  if (!scenario.waves.from_forecast) {
+  if (scenario.waves.regular) {
+    environment.stated_sea = state_of(*scenario.waves.regular);
+  } else if (!scenario.waves.from_forecast) {
     const PartitionedSea& sea = scenario.waves.made_up;
     environment.stated_sea =
         SeaState{sea.significant_height_m(), sea.peak_period_s(), sea.from_direction_deg()};

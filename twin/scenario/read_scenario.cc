@@ -259,7 +259,24 @@ MadeUpWater read_made_up(const Config& config) {
   return water;
 }
 
-ScenarioWaves read_waves(const Config& config, bool has_forecast) {
+/// @param depth_m  of the water, where that is known
+RegularWave read_regular(const Config& waves, std::optional<double> depth_m) {
+  for (const char* const other : {"partitions", "components", "height_errors"})
+    if (waves.has(other))
+      waves.refuse(other, "found beside regular, which is one wave; leave it out");
+  const Config config = waves.child("regular");
+  RegularWave wave;
+  wave.height_m = config.number("height_m", {0.001, 30});
+  wave.period_s = config.number("period_s", {0.5, 30});
+  wave.from_direction_deg = config.number("from_direction_deg", {-360, 360});
+  if (const std::string why = depth_m ? why_it_breaks(wave, *depth_m) : ""; !why.empty())
+    config.refuse("height_m", why);
+  return wave;
+}
+
+/// @param depth_m  of made-up water
+ScenarioWaves read_waves(const Config& config, std::optional<double> depth_m) {
+  const bool has_forecast = !depth_m;
   ScenarioWaves waves;
   waves.from_forecast = has_forecast;
   const auto c = config.optional_child("waves");
@@ -267,11 +284,22 @@ ScenarioWaves read_waves(const Config& config, bool has_forecast) {
   waves.components =
       static_cast<std::size_t>(c->optional_integer("components", 8, 1024).value_or(200));
   const std::string from =
-      c->optional_text("from").value_or(c->is_list("partitions") ? "partitions" : "forecast");
+      c->optional_text("from").value_or(c->is_mapping("regular")   ? "regular"
+                                        : c->is_list("partitions") ? "partitions"
+                                                                   : "forecast");
+  if (from == "regular" || c->has("regular")) {
+    if (from != "regular")
+      c->refuse("regular", "found beside from: " + from + "; leave one of the two out");
+    waves.from_forecast = false;
+    waves.regular = read_regular(*c, depth_m);
+    return waves;
+  }
   waves.have_height_errors = c->optional_flag("height_errors").value_or(false);
   if (from == "forecast") {
     if (!has_forecast)
-      c->refuse("from", "made-up water has no wave forecast; give partitions, or from: calm");
+      c->refuse(
+          "from",
+          "made-up water has no wave forecast; give partitions, a regular wave, or from: calm");
     return waves;
   }
   if (waves.have_height_errors)
@@ -279,7 +307,7 @@ ScenarioWaves read_waves(const Config& config, bool has_forecast) {
   waves.from_forecast = false;
   if (from == "calm") return waves;
   if (from != "partitions")
-    c->refuse("from", "found " + from + ", expected forecast, calm or partitions");
+    c->refuse("from", "found " + from + ", expected forecast, calm, partitions or regular");
   std::vector<WavePartition> partitions;
   for (const Config& p : c->children("partitions")) {
     WavePartition partition;
@@ -421,7 +449,8 @@ Scenario read_setting(const Config& config, const std::optional<ForecastWater>& 
     s.origin = GeoPoint::from_degrees(55, 0);
     s.has_origin = true;
   }
-  s.waves = read_waves(config, !is_made_up);
+  s.waves = read_waves(
+      config, is_made_up ? std::optional(std::get<MadeUpWater>(s.water).depth_m) : std::nullopt);
   const std::string gusts = config.optional_text("gusts").value_or("none");
   if (gusts == "dryden")
     s.gusts = GustModel::dryden;

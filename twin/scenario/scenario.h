@@ -7,6 +7,7 @@
 
 #include "fields/base/time.h"
 #include "fields/geo/geo_point.h"
+#include "fields/wave/regular_wave.h"
 #include "fields/wave/sea_state.h"
 #include "twin/clearance/lookout.h"
 #include "twin/control/route.h"
@@ -51,7 +52,8 @@ struct ScenarioWaves {
   /// Those of the forecast have, in each member but the central one, the error of its height that
   /// `WaveFutures` has for the seed of the forecast: what `windows` holds limits against.
   bool have_height_errors = false;
-  PartitionedSea made_up;  ///< empty and not from the forecast: a calm
+  PartitionedSea made_up;              ///< empty and not from the forecast: a calm
+  std::optional<RegularWave> regular;  ///< one wave instead of a sea
   std::size_t components = 200;
   bool operator==(const ScenarioWaves&) const = default;
 };

@@ -35,6 +35,11 @@ YamlValue water_value(const MadeUpWater& water) {
 
 YamlValue waves_value(const ScenarioWaves& waves) {
   YamlValue value;
+  if (waves.regular)
+    return value.put("regular", YamlValue()
+                                    .put("height_m", waves.regular->height_m)
+                                    .put("period_s", waves.regular->period_s)
+                                    .put("from_direction_deg", waves.regular->from_direction_deg));
   value.put("components", static_cast<double>(waves.components));
   if (waves.from_forecast) return value.put("height_errors", waves.have_height_errors);
   std::vector<YamlValue> partitions;

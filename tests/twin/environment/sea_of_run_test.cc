@@ -1,5 +1,6 @@
 #include "twin/environment/sea_of_run.h"
 
+#include "fields/base/error.h"
 #include "fields/base/numbers/random.h"
 #include "fields/wave/sea_sampling.h"
 #include "tests/twin/run/sea_for_tests.h"
@@ -51,6 +52,39 @@ TEST(SeaOfRun, OfAConstantForecastIsTheSeaThatIsStatedSo) {
     EXPECT_NEAR(a.waves()[i].amplitude_m, b.waves()[i].amplitude_m, 1e-12);
     EXPECT_NEAR(std::abs(a.waves()[i].wavenumber_rad_m - b.waves()[i].wavenumber_rad_m), 0, 1e-12);
     EXPECT_EQ(a.waves()[i].phase_rad, b.waves()[i].phase_rad);
+  }
+}
+
+TEST(SeaOfRun, OfARegularWaveIsThatWaveForEverySeed) {
+  const std::string waves = "{regular: {height_m: 0.4, period_s: 5, from_direction_deg: 250}}";
+  const twin::ReadyRun ready = ready_of(one_rov("1h", waves));
+  const SeaRealisation& sea = *ready.environment->sea;
+  ASSERT_EQ(sea.waves().size(), 1U);
+  EXPECT_EQ(sea.waves()[0].amplitude_m, 0.2);
+  EXPECT_NEAR(sea.waves()[0].intrinsic_rad_s, 2 * constants::pi / 5, 1e-15);
+  std::string other = one_rov("1h", waves);
+  other.replace(other.find("seed: 7"), 7, "seed: 8");
+  EXPECT_EQ(ready_of(other).environment->sea->waves()[0].phase_rad, sea.waves()[0].phase_rad);
+  // What limits, and who leads the weather, go by: the sea of its energy.
+  const SeaSample state = ready.agents[0].water->sea({}, 1000);
+  EXPECT_NEAR(state.sea.significant_height_m, std::sqrt(2.0) * 0.4, 1e-12);
+  EXPECT_NEAR(state.sea.significant_height_m, sea.significant_height_m(), 1e-12);
+  EXPECT_EQ(state.sea.peak_period_s, 5);
+  EXPECT_EQ(state.sea.from_direction_deg, 250);
+  EXPECT_EQ(ready.environment->sea_peak_period_s, 5);
+}
+
+TEST(SeaOfRun, ARegularWaveThatBreaksInTheWaterOfAForecastIsRefused) {
+  twin::Scenario scenario = with_forecast_waves(one_rov());
+  scenario.waves = {};
+  scenario.waves.from_forecast = false;
+  scenario.waves.regular = RegularWave{4, 4, 250};
+  try {
+    (void)twin::set_up(scenario, in_forecast_sea(scenario, {{1, 6, 250}, {1, 6, 250}}));
+    ADD_FAILURE() << "it is not refused";
+  } catch (const Error& problem) {
+    EXPECT_EQ(problem.message().rfind("waves: a regular wave: found H 4 m with T 4 s", 0), 0U)
+        << problem.message();
   }
 }
 

@@ -82,6 +82,11 @@ class RandomScenario : private RandomSurface {
       waves.have_height_errors = chance(0.5);
       return waves;
     }
+    if (chance(0.3)) {
+      waves.components = 200;
+      waves.regular = RegularWave{number(0.001, 0.5), number(5, 20), number(-360, 360)};
+      return waves;
+    }
     for (std::size_t i = count(0, 3); i > 0; --i) {
       WavePartition& p = waves.made_up.partitions.emplace_back();
       p.significant_height_m = number(0.1, 0.5);

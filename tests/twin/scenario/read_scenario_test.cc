@@ -79,6 +79,53 @@ TEST(ReadScenario, NavigatesByTheTruthUnlessTheRunOrTheVehicleSaysOtherwise) {
   EXPECT_TRUE(logged.vehicles[0].logs_sensors);
 }
 
+/// In the place of the waves of the whole one, on line 12.
+std::string with_waves(const std::string& waves) {
+  std::string yaml = whole;
+  const std::size_t at = yaml.find("waves: "), end = yaml.find('\n', at);
+  return yaml.replace(at, end - at, "waves: " + waves);
+}
+
+TEST(ReadScenario, HasARegularWaveInThePlaceOfASea) {
+  for (const char* const from : {"", "from: regular, "}) {
+    const Scenario s = parse_scenario(
+        with_waves(std::string("{") + from +
+                   "regular: {height_m: 0.4, period_s: 5, from_direction_deg: 270}}"),
+        "regular.yaml");
+    EXPECT_FALSE(s.waves.from_forecast);
+    EXPECT_EQ(s.waves.regular, (RegularWave{0.4, 5, 270}));
+    EXPECT_TRUE(s.waves.made_up.partitions.empty());
+  }
+}
+
+TEST(ReadScenario, RefusesARegularWaveThatCannotBeWithItsLine) {
+  for (const auto& [waves, words] : {
+           std::pair{"{regular: {height_m: 4, period_s: 4, from_direction_deg: 0}}",
+                     "regular.yaml:12: waves.regular.height_m: found H 4 m with T 4 s"},
+           {"{regular: {height_m: 0, period_s: 4, from_direction_deg: 0}}", "0.001"},
+           {"{regular: {height_m: 1, period_s: 0.3, from_direction_deg: 0}}", "period_s"},
+           {"{regular: {height_m: 1, period_s: 31, from_direction_deg: 0}}", "30"},
+           {"{regular: {height_m: 1, period_s: 9}}", "from_direction_deg"},
+           {"{regular: {height_m: 1, period_s: 9, from_deg: 0, from_direction_deg: 0}}",
+            "from_deg"},
+           {"{regular: {height_m: 1, period_s: 9, from_direction_deg: 0}, components: 9}",
+            "found beside regular, which is one wave"},
+           {"{regular: {height_m: 1, period_s: 9, from_direction_deg: 0}, partitions: []}",
+            "found beside regular, which is one wave"},
+           {"{from: calm, regular: {height_m: 1, period_s: 9, from_direction_deg: 0}}",
+            "found beside from: calm"},
+           {"{from: regular}", "regular"},
+       }) {
+    try {
+      (void)parse_scenario(with_waves(waves), "regular.yaml");
+      ADD_FAILURE() << waves << " is not refused";
+    } catch (const Error& problem) {
+      EXPECT_NE(problem.message().find(words), std::string::npos) << problem.message();
+      EXPECT_NE(problem.message().find("regular.yaml:12"), std::string::npos) << problem.message();
+    }
+  }
+}
+
 struct Bad {
   const char* line;
   const char* instead;
