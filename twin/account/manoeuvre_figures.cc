@@ -12,11 +12,26 @@ namespace {
 using constants::pi;
 using ManoeuvreRows = std::span<const ManoeuvreRow>;
 
-/// The rows from a time on, with headings that do not jump.
+/// A row as it goes on until a time: at its velocity and its rate of turn.
+ManoeuvreRow carried_on(const ManoeuvreRow& row, double t_s) {
+  const double for_s = t_s - row.t_s;
+  const double c = std::cos(row.heading_rad), s = std::sin(row.heading_rad);
+  ManoeuvreRow out = row;
+  out.t_s = t_s;
+  out.north_m += for_s * (c * row.ahead_m_s - s * row.starboard_m_s);
+  out.east_m += for_s * (s * row.ahead_m_s + c * row.starboard_m_s);
+  out.heading_rad += for_s * row.turn_rad_s;
+  return out;
+}
+
+/// The rows from a time on, with headings that do not jump. Where that is between two rows it
+/// begins as the first of them goes on: what happens at that time shows in the second one alone.
 std::vector<ManoeuvreRow> unwrapped_from(ManoeuvreRows rows, double from_s) {
   std::vector<ManoeuvreRow> out;
-  for (const ManoeuvreRow& row : rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ManoeuvreRow& row = rows[i];
     if (row.t_s < from_s) continue;
+    if (out.empty() && i > 0 && row.t_s > from_s) out.push_back(carried_on(rows[i - 1], from_s));
     out.push_back(row);
     if (out.size() < 2) continue;
     const double before_rad = out[out.size() - 2].heading_rad;

@@ -23,6 +23,7 @@ struct ManoeuvreRow {
   double starboard_m_s = 0;  ///< v
   double turn_rad_s = 0;     ///< r, to starboard
   double helm_rad = 0;       ///< asked for; positive: bow to starboard. Of shares: any unit
+  bool operator==(const ManoeuvreRow&) const = default;
 };
 
 /// Of a log, at the times at which the vehicle was there: speeds over ground, the helm as the
@@ -36,6 +37,7 @@ struct SteadyTurn {
   double radius_m = 0;    ///< speed over rate of turn
   double drift_rad = 0;   ///< of the bow into the turn, atan(-v/u) to starboard
   double speed_kept = 0;  ///< share of the speed at the execute
+  bool operator==(const SteadyTurn&) const = default;
 };
 
 /// Places are along and across the course at the execute, from the place there. A figure is absent
@@ -51,8 +53,10 @@ struct TurningCircle {
   std::optional<double> full_s;               ///< at 360
   /// The mean of the last quarter of a turn, where its rate stays within 2 % there.
   std::optional<SteadyTurn> steady;
+  bool operator==(const TurningCircle&) const = default;
 };
-/// @param execute_s  when the helm was put over; the first row from then on is the execute
+/// @param execute_s  when the helm was put over; the execute is where the row before it goes on to,
+///                   and the first row where none is before
 [[nodiscard]] TurningCircle turning_circle(std::span<const ManoeuvreRow> rows, double execute_s);
 
 /// A zig-zag delta/psi: the helm is put over to the other side each time that the heading has
@@ -62,6 +66,7 @@ struct ZigZag {
   std::vector<double> overshoot_rad;  ///< of each of those: how far the heading went beyond psi
   std::optional<double> period_s;     ///< from the last execute but two to the last
   std::optional<double> initial_turning_m;  ///< track from the first execute until psi
+  bool operator==(const ZigZag&) const = default;
 };
 /// @param heading_rad  psi, above 0
 [[nodiscard]] ZigZag zig_zag(std::span<const ManoeuvreRow> rows, double execute_s,
@@ -72,13 +77,17 @@ struct SpiralPoint {
   double helm_rad = 0;
   double turn_rad_s = 0;   ///< mean of the last fifth of the time at that helm
   bool is_steady = false;  ///< it stays there within 1 % of the largest rate of the spiral
+  bool operator==(const SpiralPoint&) const = default;
 };
 struct Spiral {
   std::vector<SpiralPoint> points;  ///< in the order of their time
   /// Of the loop of a craft that is unstable on its course: between the helms at which it changes
-  /// its side on the way down and on the way up. 0: it has none.
-  double loop_width_rad = 0;
-  double loop_height_rad_s = 0;  ///< between the rates at helm 0 on both ways
+  /// its side on the way down and on the way up. 0: it has none. Nothing: it does not change its
+  /// side on both ways.
+  std::optional<double> loop_width_rad;
+  /// Between the rates at helm 0 on both ways; nothing: it is not at helm 0 on both.
+  std::optional<double> loop_height_rad_s;
+  bool operator==(const Spiral&) const = default;
 };
 [[nodiscard]] Spiral spiral(std::span<const ManoeuvreRow> rows);
 
@@ -94,6 +103,7 @@ struct StepResponse {
   double overshoot = 0;              ///< share of the step beyond it
   std::optional<double> settling_s;  ///< from when on it is within 5 %
   double steady_error = 0;           ///< in its unit: mean of the last fifth from what was asked
+  bool operator==(const StepResponse&) const = default;
 };
 /// @param t_s    rising, from the step on
 /// @param value  at those times. Headings are unwrapped before

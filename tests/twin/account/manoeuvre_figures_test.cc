@@ -96,6 +96,19 @@ TEST(TurningCircleFigures, HaveNoSteadyTurnWhileItStillTightens) {
   EXPECT_FALSE(turning_circle(exact.rows(0.5, 20 + 30), 20).steady) << "not a quarter of a turn";
 }
 
+TEST(TurningCircleFigures, CountFromAnExecuteBetweenTheRows) {
+  // Every other second from 1 s on: the execute at 20 s is between two of them.
+  const Circle exact;
+  Rows rows;
+  for (const ManoeuvreRow& row : exact.rows(1, 220))
+    if (std::lround(row.t_s) % 2 == 1) rows.push_back(row);
+  const TurningCircle found = turning_circle(rows, 20);
+  const double tolerance_m = exact.radius_m * std::pow(2.0 / 50 * 2, 2) / 8 * 1.5;
+  EXPECT_NEAR(found.advance_m.value(), 50, tolerance_m);
+  EXPECT_NEAR(found.tactical_diameter_m.value(), 100, tolerance_m);
+  EXPECT_NEAR(found.quarter_s.value(), 0.5 * pi * 50 / 2, 1e-9);
+}
+
 TEST(TurningCircleFigures, AreAbsentWhereTheRowsEndBefore) {
   const Circle exact;
   const TurningCircle found = turning_circle(exact.rows(0.5, 20 + 50), 20);  // 115 degrees
@@ -236,8 +249,8 @@ TEST(SpiralFigures, OfAStableCraftHaveNoLoop) {
     EXPECT_NEAR(point.turn_rad_s, 0.2 * point.helm_rad, 1e-6);
     EXPECT_TRUE(point.is_steady);
   }
-  EXPECT_NEAR(found.loop_width_rad, 0, 1e-6);
-  EXPECT_NEAR(found.loop_height_rad_s, 0, 1e-6);
+  EXPECT_NEAR(found.loop_width_rad.value(), 0, 1e-6);
+  EXPECT_NEAR(found.loop_height_rad_s.value(), 0, 1e-6);
 }
 
 TEST(SpiralFigures, OfAnUnstableCraftHaveTheLoopOfItsRates) {
@@ -251,8 +264,16 @@ TEST(SpiralFigures, OfAnUnstableCraftHaveTheLoopOfItsRates) {
   // the rates there.
   const double before = 0.02 - 0.05 * 5 * degree, after = -0.02 - 0.05 * 10 * degree;
   const double at_deg = 5 + 5 * before / (before - after);
-  EXPECT_NEAR(found.loop_width_rad, 2 * at_deg * degree, 1e-6);
-  EXPECT_NEAR(found.loop_height_rad_s, 0.04, 1e-6);
+  EXPECT_NEAR(found.loop_width_rad.value(), 2 * at_deg * degree, 1e-6);
+  EXPECT_NEAR(found.loop_height_rad_s.value(), 0.04, 1e-6);
+}
+
+TEST(SpiralFigures, HaveNoLoopWhereTheHelmsGoOneWay) {
+  Rows rows = spiral_rows([](double helm, double) { return 0.2 * helm; });
+  rows.resize(9 * 120);  // from 20 to -20 degrees
+  EXPECT_EQ(spiral(rows).points.size(), 9U);
+  EXPECT_FALSE(spiral(rows).loop_width_rad);
+  EXPECT_FALSE(spiral(rows).loop_height_rad_s);
 }
 
 TEST(SpiralFigures, SayWhereTheRateIsNotSteadyYet) {
