@@ -7,12 +7,12 @@
 #include "twin/agent/conduct.h"
 #include "twin/agent/follow_datum.h"
 #include "twin/agent/helm.h"
+#include "twin/agent/steer_by_helm.h"
 #include "twin/body/body_dynamics.h"
 #include "twin/body/frame.h"
 #include "twin/body/waves_at_strips.h"
 #include "twin/inspection/inspection.h"
 #include "twin/tether/tether_dynamics.h"
-#include "twin/thruster/thrust_curve.h"
 
 namespace slackwater::twin {
 namespace {
@@ -124,34 +124,6 @@ void pull_tether(const Agent& agent, double t_s, const Rotation<double>& r, Agen
   hold_snag(state);
 }
 
-/// Autopilots of measured thrusters command them by their curve at rest; what the flow takes from
-/// it their integrals make good. The others go by the water as well as they know it.
-void command_thrusters(const Agent& agent, const Effort& effort, const AgentState& state,
-                       const Measured& measured, const Rotation<double>& r, double height_m,
-                       VehicleCommand<double>& command) {
-  const Vehicle& vehicle = *agent.vehicle;
-  ThrusterSurroundings<double> around;
-  around.voltage_v = state.vehicle.bus_voltage_v;
-  around.height_m = height_m;
-  const Triple<double> through = measured.nu.linear - r.to_body(measured.water_m_s);
-  for (std::size_t kind = 0; kind < vehicle.thrusters.size(); ++kind) {
-    const Thruster& thruster = vehicle.thrusters[kind];
-    const auto command_each = [&](const auto& command_of) {
-      for (std::size_t i = 0; i < vehicle.mounts; ++i)
-        if (vehicle.mount[i].kind == kind) command.thruster[i] = command_of(i);
-    };
-    if (thruster.kind == ThrusterKind::table) {
-      const ThrustCurve curve(thruster.table, around.voltage_v);
-      command_each([&](std::size_t i) { return curve.command_for(effort.thrust_n[i]); });
-    } else {
-      command_each([&](std::size_t i) {
-        around.advance_m_s = dot(vehicle.mount[i].direction, through);
-        return command_for(thruster, effort.thrust_n[i], around);
-      });
-    }
-  }
-}
-
 /// The stream that carries a vehicle in the water, as well as it knows it: all of it, or what its
 /// log shows ahead.
 Triple<double> known_stream(const Agent& agent, const Measured& measured,
@@ -220,16 +192,20 @@ bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measure
     halt(state, Halt::no_headway, t_s);
     return false;
   }
+  const ControlState before = state.control;
   const Effort effort =
       effort_of(*agent.autopilot, asked.measured, reference, agent.plan.dt_s, state.control);
   const Rotation<double> r = rotation_of(state.vehicle.body.attitude);
-  command_thrusters(agent, effort, state, measured, r, around.height_above_m, command);
+  const ThrustersMeet meet{measured.nu.linear - r.to_body(measured.water_m_s),
+                           state.vehicle.bus_voltage_v, around.height_above_m};
+  command_thrusters(*agent.vehicle, effort.thrust_n, meet, command);
   command.rudder_rad = effort.rudder_rad;
   command.elevator_rad = effort.elevator_rad;
   command.moving_mass_m = effort.moving_mass_m;
   command.volume_m3 = effort.volume_m3;
-  if (!command_by_table(agent, around, state, command))
-    note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
+  if (command_by_table(agent, around, state, command)) return true;
+  const auto by_helm = command_by_helm(agent, effort, before, meet, state, command);
+  note_thrust(agent.autopilot->allocation, by_helm.value_or(effort), agent.plan.dt_s, state.thrust);
   return true;
 }
 

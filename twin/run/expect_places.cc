@@ -3,6 +3,7 @@
 #include <string>
 
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "twin/run/set_up.h"
 #include "twin/scene/structure.h"
 
@@ -62,6 +63,12 @@ void expect_places(const Scenario& scenario, const ScenarioVehicle& entry, const
       before_m = waypoint.position_m;
       is_carried = false;
     }
+    if (!t.manoeuvre) continue;
+    for (const KeptStep& step : t.manoeuvre->steps)
+      if (step.depth_m)
+        expect_place({before_m.x, before_m.y, *step.depth_m},
+                     "a step to " + formatted("{:g}", *step.depth_m) + " m, where task " +
+                         std::to_string(task) + " begins,");
   }
 }
 

@@ -43,6 +43,13 @@ void expect_speed(const Agent& agent, const AskedPace& asked, const std::string&
                                   key, asked.m_s, least_m_s, vehicle.name));
 }
 
+void expect_speeds(const ManoeuvreTask& manoeuvre, const Agent& agent) {
+  if (manoeuvre.speed_m_s)
+    expect_speed(agent, {*manoeuvre.speed_m_s, false}, manoeuvre.place.text + ": ");
+  for (const KeptStep& step : manoeuvre.steps)
+    if (step.speed_m_s) expect_speed(agent, {*step.speed_m_s, false}, step.place.text + ": ");
+}
+
 }  // namespace
 
 void expect_speeds(const ScenarioVehicle& entry, const Agent& agent) {
@@ -55,6 +62,7 @@ void expect_speeds(const ScenarioVehicle& entry, const Agent& agent) {
     ++task;
     if (t.table && t.table->speed_m_s)
       expect_speed(agent, {*t.table->speed_m_s, false}, t.table->place.text + ": ");
+    if (t.manoeuvre) expect_speeds(*t.manoeuvre, agent);
     std::size_t number = 0;
     for (const Waypoint& waypoint : t.waypoints) {
       ++number;

@@ -23,10 +23,16 @@ Mission mission_of(const Vehicle& vehicle, const Autopilot& autopilot, const Sce
   mission.guidance = guidance_for(autopilot, entry.speed_m_s.value_or(vehicle.cruise_speed_m_s),
                                   entry.is_speed_over_ground);
   for (std::size_t i = 0; i < entry.tasks.size(); ++i) {
-    if (!entry.tasks[i].table) continue;
-    mission.actuators.resize(entry.tasks.size());
-    mission.actuators[i] =
-        plan_actuators(*entry.tasks[i].table, vehicle, mission.guidance.speed_m_s);
+    const ScenarioTask& task = entry.tasks[i];
+    if (task.table) {
+      mission.actuators.resize(entry.tasks.size());
+      mission.actuators[i] = plan_actuators(*task.table, vehicle, mission.guidance.speed_m_s);
+    }
+    if (task.manoeuvre) {
+      mission.manoeuvres.resize(entry.tasks.size());
+      mission.manoeuvres[i] = plan_manoeuvre(*task.manoeuvre, vehicle, autopilot,
+                                             mission.guidance.speed_m_s, voltage_v);
+    }
   }
   mission.pursuit.gain_per_s = std::min(mission.pursuit.gain_per_s, autopilot.station_per_s);
   mission.pursuit.most_speed_m_s =

@@ -73,6 +73,10 @@ template <>
 inline constexpr bool is_numbers<CameraPointing> = true;
 template <>
 inline constexpr bool is_numbers<ActuatorValues> = true;
+template <>
+inline constexpr bool is_numbers<ManoeuvreState> = true;
+template <>
+inline constexpr bool is_numbers<TaskOrder> = true;
 
 template <typename S, typename T>
 concept MaybeConst = std::same_as<std::remove_const_t<S>, T>;
@@ -154,7 +158,8 @@ void for_each_member(S& s, Visit&& visit) {
 template <MaybeConst<MissionState> S, typename Visit>
 void for_each_member(S& s, Visit&& visit) {
   auto& [task, has_begun, is_done, held_s, row, kept_m, kept_heading, route, is_rerouted,
-         waypoints_taken, follower, followed_yaw_rad, track_drift_m_s, offset_m] = s;
+         waypoints_taken, follower, followed_yaw_rad, track_drift_m_s, offset_m, manoeuvre,
+         orders] = s;
   visit("task", task);
   visit("has_begun", has_begun);
   visit("is_done", is_done);
@@ -169,6 +174,8 @@ void for_each_member(S& s, Visit&& visit) {
   visit("followed_yaw_rad", followed_yaw_rad);
   visit("track_drift_m_s", track_drift_m_s);
   visit("offset_m", offset_m);
+  visit("manoeuvre", manoeuvre);
+  visit("orders", orders);
 }
 
 template <MaybeConst<ConductState> S, typename Visit>

@@ -11,17 +11,9 @@ constexpr std::array<std::string_view, 7> suffixes{"_share", "_rad_s", "_rpm", "
                                                    "_deg",   "_m3",    "_m"};
 constexpr std::size_t most_rows = 100000;
 
-/// "FILE:LINE" of a key of this mapping, which alone has it.
-SourcePlace place_of(const Config& config, std::string_view key) {
-  const KeyPlaces places = config.places();
-  for (const auto& [dotted, line] : places.line)
-    if (dotted.ends_with(key)) return {places.of(dotted)};
-  return {places.file};
-}
-
 ActuatorRow read_row(const Config& config) {
   ActuatorRow row;
-  row.place = place_of(config, ".at_s");
+  row.place = place_of_key(config, ".at_s");
   row.at_s = config.number("at_s", {0, 30 * 86400.0});
   for (const std::string& key : config.keys()) {
     if (key == "at_s") continue;
@@ -65,7 +57,7 @@ std::optional<ActuatorKey> actuator_key(std::string_view key) noexcept {
 
 ActuatorTable read_actuator_table(const Config& task, double lasts_s) {
   ActuatorTable table;
-  table.place = place_of(task, ".do");
+  table.place = place_of_key(task, ".do");
   read_keep(task, table);
   table.speed_m_s = task.optional_number("speed_m_s", {0.01, 60});
   if (table.speed_m_s && !table.keeps_speed)

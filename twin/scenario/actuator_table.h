@@ -6,15 +6,9 @@
 #include <vector>
 
 #include "fields/base/config.h"
+#include "twin/scenario/source_place.h"
 
 namespace slackwater::twin {
-
-/// "FILE:LINE" that something was read from, for what is found amiss with it once more is known.
-/// Says where, not what: all places are equal.
-struct SourcePlace {
-  std::string text;
-  bool operator==(const SourcePlace&) const noexcept { return true; }
-};
 
 /// From a time on, what some actuators do; the others go on as the rows before have them.
 struct ActuatorRow {

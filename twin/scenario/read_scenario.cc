@@ -134,10 +134,15 @@ ScenarioTask read_task(const Config& config) {
     task.kind = ScenarioTask::Kind::actuators;
     task.hold_s = read_seconds(config, "duration", {0.001, 30 * 86400.0});
     task.table = read_actuator_table(config, task.hold_s);
+  } else if (const auto manoeuvre = manoeuvre_named(kind)) {
+    task.kind = ScenarioTask::Kind::manoeuvre;
+    task.manoeuvre = read_manoeuvre(config, *manoeuvre);
+    task.hold_s = longest_s(*task.manoeuvre);
   } else {
     config.refuse("do", "found " + kind +
                             ", expected route, hold, lawn_mower, orbit, depth_sweep, "
-                            "follow_track, aboard, stand_by or actuators");
+                            "follow_track, aboard, stand_by, actuators, steps, turning_circle, "
+                            "zig_zag, spiral or pull_out");
   }
   if (const auto word = config.optional_text("phase")) {
     const auto phase = phase_of(*word);

@@ -14,6 +14,7 @@
 #include "twin/mission/conduct.h"
 #include "twin/mission/phase.h"
 #include "twin/scenario/actuator_table.h"
+#include "twin/scenario/manoeuvre_task.h"
 #include "twin/scenario/scenario_traffic.h"
 
 namespace slackwater::twin {
@@ -82,15 +83,18 @@ struct ScenarioTask {
     aboard,
     stand_by,   ///< a hold, until those that it carries are back from their sortie
     actuators,  ///< thrusters, fins and ballast by a table in time
+    manoeuvre,  ///< a standard one, or steps of what is kept
   };
   Phase phase = Phase::work;  ///< what it belongs to
   Kind kind = Kind::route;
   std::vector<Waypoint> waypoints;  ///< of a route
-  double hold_s = 0;                ///< of `hold`, `aboard`, `actuators`; infinite: to the end
+  double hold_s = 0;  ///< of `hold`, `aboard`, `actuators`; infinite: to the end. Of `manoeuvre`
+                      ///< the longest that it is
   /// Its waypoints are places about the datum of the vehicle's search, and drift with that.
   bool drifts = false;
   std::optional<TrackToFollow> follow;  ///< of `follow_track`
   std::optional<ActuatorTable> table;   ///< of `actuators`
+  std::optional<ManoeuvreTask> manoeuvre;
   /// Of `aboard`, where it goes at its carrier's, or at home: what becomes of its battery. Charged
   /// with so much power; infinite: another one is put in at the end; 0: it stays as it is.
   double charger_w = 0;

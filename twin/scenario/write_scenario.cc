@@ -94,6 +94,8 @@ const char* name_of(ScenarioTask::Kind kind) {
       return "stand_by";
     case ScenarioTask::Kind::actuators:
       return "actuators";
+    case ScenarioTask::Kind::manoeuvre:
+      break;
   }
   return "";
 }
@@ -120,7 +122,8 @@ YamlValue task_value(const ScenarioTask& task) {
   const auto put_duration = [&] {
     if (std::isfinite(task.hold_s)) value.put("duration_s", task.hold_s);
   };
-  value.put("do", name_of(task.kind)).put("phase", name_of(task.phase));
+  value.put("do", task.manoeuvre ? name_of(task.manoeuvre->kind) : name_of(task.kind))
+      .put("phase", name_of(task.phase));
   switch (task.kind) {
     case Kind::route: {
       if (task.drifts) value.put("frame", "drifting");
@@ -152,6 +155,9 @@ YamlValue task_value(const ScenarioTask& task) {
     case Kind::actuators:
       put_duration();
       put_table(*task.table, value);
+      return value;
+    case Kind::manoeuvre:
+      put_manoeuvre(*task.manoeuvre, value);
       return value;
   }
   return value;

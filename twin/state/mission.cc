@@ -5,6 +5,7 @@
 
 #include "fields/base/turn.h"
 #include "twin/control/control_loop.h"
+#include "twin/state/follow_manoeuvre.h"
 
 namespace slackwater::twin {
 namespace {
@@ -72,6 +73,21 @@ const ActuatorPlan* plan_of(const Mission& mission, const MissionState& state) n
   return plan.is_there() ? &plan : nullptr;
 }
 
+const ManoeuvrePlan* manoeuvre_of(const Mission& mission, const MissionState& state) noexcept {
+  if (state.is_rerouted || state.is_done || state.task >= mission.manoeuvres.size()) return nullptr;
+  const ManoeuvrePlan& plan = mission.manoeuvres[state.task];
+  return plan.is_there ? &plan : nullptr;
+}
+
+/// What comes next begins where the vehicle is, at the depth that it kept.
+void leave_as_it_is(bool keeps_depth, const Mission& mission, const Measured& measured,
+                    MissionState& state) {
+  const double kept_z = keeps_depth ? state.kept_m.z : measured.position_m.z;
+  state.kept_m = {measured.position_m.x, measured.position_m.y, kept_z};
+  state.kept_heading = bow_course(measured.attitude);
+  end_task(mission, state);
+}
+
 /// What is kept while actuators go by a table; of the rest what is, so that nothing acts for it.
 Reference kept(const ActuatorPlan& plan, const Measured& measured, const MissionState& state) {
   const double ahead_m_s = measured.has_log() ? measured.log_m_s : measured.nu.linear.x;
@@ -88,7 +104,7 @@ Reference kept(const ActuatorPlan& plan, const Measured& measured, const Mission
 }
 
 void begin_task(const Mission& mission, const Measured& measured, const Triple<double>& offset_m,
-                MissionState& state) {
+                double t_s, MissionState& state) {
   const ScenarioTask& task = mission.tasks[state.task];
   state.has_begun = true;
   state.held_s = 0;
@@ -106,6 +122,11 @@ void begin_task(const Mission& mission, const Measured& measured, const Triple<d
     state.kept_heading = bow_course(measured.attitude);
     state.route = {};
     state.row = 0;
+    return;
+  }
+  if (task.kind == ScenarioTask::Kind::manoeuvre) {
+    if (state.task == 0) state.kept_m = measured.position_m;
+    begin_manoeuvre(mission.manoeuvres[state.task], measured, t_s, state);
     return;
   }
   const Triple<double>& from_m = state.task == 0 ? measured.position_m : state.kept_m;
@@ -142,6 +163,11 @@ ActuatorsAsked actuators_asked(const Mission& mission, const MissionState& state
   return {plan, &plan->steps[state.row].asked};
 }
 
+const ManoeuvrePlan* manoeuvre_under_way(const Mission& mission,
+                                         const MissionState& state) noexcept {
+  return state.has_begun ? manoeuvre_of(mission, state) : nullptr;
+}
+
 bool drifts(const Mission& mission, const MissionState& state) noexcept {
   return !state.is_rerouted && state.task < mission.tasks.size() &&
          mission.tasks[state.task].drifts;
@@ -158,7 +184,7 @@ Reference next_reference(const Mission& mission, const Measured& over_ground,
     state.offset_m = is_adrift ? datum.offset_m : Triple<double>{};
     state.is_done = state.task >= mission.tasks.size();
     if (!state.is_done && !state.has_begun && !state.is_rerouted)
-      begin_task(mission, over_ground, datum.offset_m, state);
+      begin_task(mission, over_ground, datum.offset_m, t_s, state);
     const ScenarioTask* task = state.is_done ? nullptr : &mission.tasks[state.task];
     const bool follows = task != nullptr && task->kind == ScenarioTask::Kind::follow_track;
     if (follows && !state.is_rerouted) {
@@ -176,11 +202,7 @@ Reference next_reference(const Mission& mission, const Measured& over_ground,
     if (const ActuatorPlan* const plan = plan_of(mission, state)) {
       constexpr double soon_s = 1e-6;  // what rounding leaves of a number of steps
       if (state.held_s >= task->hold_s - soon_s) {
-        // What comes next begins where it is.
-        const double kept_z = plan->keeps_depth ? state.kept_m.z : over_ground.position_m.z;
-        state.kept_m = {over_ground.position_m.x, over_ground.position_m.y, kept_z};
-        state.kept_heading = bow_course(measured.attitude);
-        end_task(mission, state);
+        leave_as_it_is(plan->keeps_depth, mission, over_ground, state);
         continue;
       }
       while (state.row + 1 < plan->steps.size() &&
@@ -188,6 +210,12 @@ Reference next_reference(const Mission& mission, const Measured& over_ground,
         ++state.row;
       state.held_s += dt_s;
       return kept(*plan, measured, state);
+    }
+    if (const ManoeuvrePlan* const plan = manoeuvre_of(mission, state)) {
+      if (go_on(*plan, over_ground, t_s, dt_s, state))
+        return reference_of(*plan, over_ground, state);
+      leave_as_it_is(plan->keeps_depth, mission, over_ground, state);
+      continue;
     }
     const bool holds = state.is_done || waits(mission.tasks[state.task]);
     if (holds && !state.is_rerouted) {

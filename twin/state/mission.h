@@ -7,6 +7,7 @@
 #include "twin/control/waypoint_follower.h"
 #include "twin/scenario/scenario.h"
 #include "twin/state/actuator_plan.h"
+#include "twin/state/manoeuvre_plan.h"
 #include "twin/traffic/pursuit.h"
 
 namespace slackwater::twin {
@@ -21,6 +22,7 @@ struct Mission {
   Pursuit pursuit;  ///< of tracks
   /// Of each task, where any goes by a table of actuators; of the others none is there.
   std::vector<ActuatorPlan> actuators;
+  std::vector<ManoeuvrePlan> manoeuvres;  ///< likewise
 };
 
 /// How far it has come.
@@ -28,7 +30,7 @@ struct MissionState {
   std::size_t task = 0;
   bool has_begun = false;  ///< the task
   bool is_done = false;    ///< all tasks; the vehicle keeps its last place
-  double held_s = 0;       ///< of a hold, or of a table of actuators
+  double held_s = 0;       ///< of a hold, a table of actuators or a manoeuvre
   std::size_t row = 0;     ///< of that table, in force
   Triple<double> kept_m;   ///< where the vehicle is held
   Course kept_heading;
@@ -40,6 +42,8 @@ struct MissionState {
   double followed_yaw_rad = 0;
   Triple<double> track_drift_m_s;  ///< learned while a track is followed
   Triple<double> offset_m;         ///< of the frame that the route is in
+  ManoeuvreState manoeuvre;        ///< of the task under way
+  std::vector<TaskOrder> orders;   ///< of all manoeuvres so far
 };
 
 /// The vehicle before its first task, which is to begin where it is.
@@ -63,12 +67,16 @@ struct ActuatorsAsked {
 [[nodiscard]] ActuatorsAsked actuators_asked(const Mission& mission,
                                              const MissionState& state) noexcept;
 
+/// The manoeuvre under way; null: none is.
+[[nodiscard]] const ManoeuvrePlan* manoeuvre_under_way(const Mission& mission,
+                                                       const MissionState& state) noexcept;
+
 /// The reference of a step, and moves the mission on: takes waypoints that are reached, goes to the
 /// next task when one is done. On a route the place is the foot of the vehicle on its leg and the
 /// velocity that of the leg; after its end, and in a hold, it is a station. A track is followed in
 /// time while it is known: before it begins and where it is silent the vehicle waits, and where it
 /// ends so does the task. While actuators go by a table, velocity, heading and depth are those to
-/// be kept, and of what is not kept those that the vehicle has.
+/// be kept, and of what is not kept those that the vehicle has. Likewise in a manoeuvre.
 /// A task that drifts is done in the frame of the datum, and so is its reference; the place that is
 /// kept after it is over ground.
 /// @param t_s    since the run's epoch

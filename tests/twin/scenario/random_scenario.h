@@ -126,7 +126,8 @@ class RandomScenario : private RandomSurface {
     task.kind =
         follows ? Kind::follow_track
                 : static_cast<Kind>(pick<std::size_t>({count(0, vehicle.conduct ? 4 : 2),
-                                                       static_cast<std::size_t>(Kind::actuators)}));
+                                                       static_cast<std::size_t>(Kind::actuators),
+                                                       static_cast<std::size_t>(Kind::manoeuvre)}));
     switch (task.kind) {
       case Kind::route:
         for (std::size_t i = count(1, 4); i > 0; --i) {
@@ -157,6 +158,10 @@ class RandomScenario : private RandomSurface {
         task.hold_s = number(100, 86400);
         task.table = table();
         break;
+      case Kind::manoeuvre:
+        task.manoeuvre = manoeuvre();
+        task.hold_s = twin::longest_s(*task.manoeuvre);
+        break;
     }
     return task;
   }
@@ -175,6 +180,43 @@ class RandomScenario : private RandomSurface {
         if (chance(0.3)) row.setting.emplace_back(key, number(-1e3, 1e3));
     }
     return table;
+  }
+  twin::ManoeuvreTask manoeuvre() {
+    using Kind = twin::ManoeuvreKind;
+    twin::ManoeuvreTask m;
+    m.kind = static_cast<Kind>(count(0, 4));
+    if (chance(0.5)) m.speed_m_s = number(0.01, 60);
+    if (m.kind == Kind::steps) {
+      m.lasts_s = number(100, 86400);
+      for (std::size_t i = 0, steps = count(1, 4); i < steps; ++i) {
+        twin::KeptStep& step = m.steps.emplace_back();
+        step.at_s = static_cast<double>(i) + number(0, 0.9);
+        step.heading_rad = angle();
+        if (chance(0.5)) step.speed_m_s = number(0, 60);
+        if (chance(0.5)) step.depth_m = number(0, 12000);
+      }
+      return m;
+    }
+    m.approach_s = number(5, 600);
+    m.helms_are_shares = chance(0.5);
+    const auto helm = [&](double least) {
+      return m.helms_are_shares ? number(least, 1) : angle(90 * least, 90);
+    };
+    if (m.kind == Kind::spiral) {
+      for (std::size_t i = count(2, 9); i > 0; --i) m.helms.push_back(helm(-1));
+      m.each_s = number(1, 600);
+      return m;
+    }
+    m.to_port = chance(0.5);
+    if (m.helms_are_shares || chance(0.5)) m.helms = {helm(0.01)};
+    m.lasts_s = number(1, 600);
+    if (m.kind == Kind::pull_out) m.turn_s = number(1, 600);
+    if (m.kind == Kind::turning_circle) m.heading_change_rad = angle(90, 7200);
+    if (m.kind == Kind::zig_zag) {
+      m.heading_change_rad = angle(1, 90);
+      m.executes = count(2, 100);
+    }
+    return m;
   }
   std::optional<UtcTime> start() {
     if (chance(0.5)) return std::nullopt;

@@ -206,6 +206,8 @@ TEST(ScenarioFilePage, HasTheDefaultsOfTheValues) {
           {"## Waves", "components", static_cast<double>(ScenarioWaves{}.components)},
           {"## Waves", "spreading_s", WavePartition{}.spreading_s},
           {"### follow_track", "within_m", TrackToFollow{}.within_m},
+          {"### Manoeuvres", "approach_s", ManoeuvreTask{}.approach_s},
+          {"#### zig_zag", "executes", static_cast<double>(ManoeuvreTask{}.executes)},
           {"## Other vessels", "reach_km", AisLog{}.reach_m / 1000},
           {"## Other vessels", "cpa_m", traffic.alarm.distance_m},
           {"## Other vessels", "tcpa_min", traffic.alarm.time_s / 60},
@@ -327,6 +329,12 @@ TEST(ScenarioFilePage, HasAnExampleOfEachTask) {
     EXPECT_TRUE(tests::contains(own_text_of(page(), "### " + word), "- {do: " + word));
   }
   EXPECT_GT(count, 8U) << "the reader was not found";
+  for (const auto kind : {ManoeuvreKind::turning_circle, ManoeuvreKind::zig_zag,
+                          ManoeuvreKind::spiral, ManoeuvreKind::pull_out, ManoeuvreKind::steps}) {
+    const std::string word = name_of(kind);
+    const std::string heading = (kind == ManoeuvreKind::steps ? "### " : "#### ") + word;
+    EXPECT_TRUE(tests::contains(own_text_of(page(), heading), "- {do: " + word));
+  }
 }
 
 TEST(ScenarioFilePage, AScenarioRefusesWhatOnlyAMissionHas) {

@@ -33,6 +33,7 @@ struct PagePart {
 
 inline constexpr const char* reader = "twin/scenario/read_scenario.cc";
 inline constexpr const char* traffic_reader = "twin/scenario/read_traffic.cc";
+inline constexpr const char* manoeuvre_reader = "twin/scenario/manoeuvre_task.cc";
 inline constexpr const char* conduct_reader = "twin/mission/read_conduct.cc";
 inline constexpr const char* limit_reader = "twin/mission/limit.cc";
 inline constexpr const char* surface_reader = "twin/inspection/surface/read_surface.cc";
@@ -122,6 +123,17 @@ inline const std::vector<PagePart>& parts() {
        {{reader, "if (kind == \"actuators\")", branch_end}, {"twin/scenario/actuator_table.cc"}},
        {"actuators", "depth", "heading", "speed"},
        keys_of_actuators()},
+      {"### Manoeuvres",
+       {{manoeuvre_reader, "ManoeuvreTask read_manoeuvre("},
+        {manoeuvre_reader, "bool read_to_port("},
+        {manoeuvre_reader, "void read_helm("}},
+       {"starboard", "port"}},
+      {"#### turning_circle", {{manoeuvre_reader, "void read_turning_circle("}}},
+      {"#### zig_zag", {{manoeuvre_reader, "void read_zig_zag("}}},
+      {"#### spiral", {{manoeuvre_reader, "void read_spiral("}}},
+      {"#### pull_out", {{manoeuvre_reader, "void read_pull_out("}}},
+      {"### steps",
+       {{manoeuvre_reader, "void read_steps("}, {manoeuvre_reader, "KeptStep read_step("}}},
       {"## Other vessels",
        {{traffic_reader, "ScenarioTraffic read_traffic("},
         {traffic_reader, "MadeUpVessel read_vessel("},
