@@ -171,6 +171,7 @@ VehicleAccount account_of(const EndedRun& run, std::size_t vehicle) {
   account.closest = closest_of(agent, state.nearest, run);
   if (agent.clearance)
     account.clearance = ClearanceAccount{state.clearance.alarms_from, state.clearance.changed_s};
+  account.manoeuvres = manoeuvres_of(agent.mission, state.mission);
   if (agent.inspection)
     account.inspection = inspection_outcome(*agent.inspection, state.inspection);
   if (agent.conduct)
@@ -184,6 +185,9 @@ VehicleAccount account_of(const EndedRun& run, std::size_t vehicle) {
 void add_rows(const VehicleRows& rows, VehicleAccount& account) {
   account.track = track_of(rows);
   account.at_work = track_of(rows, account.ended_s);
+  const double last_s = rows.t_s.empty() ? 0 : rows.t_s.back();
+  for (ManoeuvreAccount& manoeuvre : account.manoeuvres)
+    add_rows(rows, account.halt != Halt::none ? account.halted_at_s : last_s, manoeuvre);
 }
 
 }  // namespace slackwater::twin

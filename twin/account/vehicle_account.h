@@ -7,6 +7,7 @@
 
 #include "twin/account/closest.h"
 #include "twin/account/fate.h"
+#include "twin/account/manoeuvre_account.h"
 #include "twin/account/mission_event.h"
 #include "twin/account/track_account.h"
 #include "twin/agent/agent.h"
@@ -79,6 +80,7 @@ struct VehicleAccount {
   // With what result.
   std::optional<CleaningOutcome> cleaning;      ///< of one that cleans
   std::optional<InspectionOutcome> inspection;  ///< of one that inspects
+  std::vector<ManoeuvreAccount> manoeuvres;     ///< of its tasks, in their order
 
   // At the times of its log; as they are by default where no log is kept (`rehearse`).
   TrackAccount track;    ///< until it halted
@@ -106,7 +108,7 @@ struct EndedRun {
 
 /// All but what the rows of a log tell.
 [[nodiscard]] VehicleAccount account_of(const EndedRun& run, std::size_t vehicle);
-/// What they tell: `track` and `at_work`.
+/// What they tell: `track`, `at_work` and the figures of manoeuvres.
 void add_rows(const VehicleRows& rows, VehicleAccount& account);
 
 /// What became of all of them.
