@@ -6,6 +6,7 @@
 #include "api/log/account_of_rows.h"
 #include "api/log/account_tables.h"
 #include "api/log/inspection_log.h"
+#include "api/log/manoeuvre_tables.h"
 #include "api/log/table_reader.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
@@ -99,6 +100,7 @@ RunAccount account_in(const TrajectoryFile& log, const twin::Scenario* scenario)
     read_fate(log, account);
     read_cleaned(log, account);
     read_inspections(log, account);
+    read_manoeuvres(log, account);
   } else {
     read_off_rows(log, scenario, account);
   }

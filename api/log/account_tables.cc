@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "api/log/manoeuvre_tables.h"
 #include "api/log/table_rows.h"
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
@@ -283,6 +284,7 @@ std::vector<TrajectoryTable> account_tables(const RunAccount& account) {
   for (TableRows* rows :
        {&befell, &mission, &approach, &clearance, &cleaned, &bands, &inspected, &surfaces, &kinds})
     tables.push_back(rows->take());
+  for (TrajectoryTable& table : manoeuvre_tables(account)) tables.push_back(std::move(table));
   return tables;
 }
 

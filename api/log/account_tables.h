@@ -32,7 +32,8 @@ inline constexpr const char* no_word = "-";
 ///   keep clear raised an alarm, by its cause;
 /// * `cleaned`: what was cleaned in all; `cleaning`: the same by bands of depth;
 /// * `inspected`, `inspected_surface`, `defect_kind`: what inspections come to, without their
-///   patches and findings (api/log/inspection_log.h).
+///   patches and findings (api/log/inspection_log.h);
+/// * `manoeuvre`, `order`: what manoeuvres ordered, when (api/log/manoeuvre_tables.h).
 /// Those that nobody has to do with have no rows.
 [[nodiscard]] std::vector<ingest::TrajectoryTable> account_tables(const twin::RunAccount& account);
 

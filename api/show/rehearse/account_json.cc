@@ -7,6 +7,7 @@
 #include "api/log/score.h"
 #include "api/show/rehearse/cleaning_report.h"
 #include "api/show/rehearse/inspection_report.h"
+#include "api/show/rehearse/manoeuvre_report.h"
 #include "fields/base/constants.h"
 
 namespace slackwater::api {
@@ -54,6 +55,12 @@ json clearance_json(const std::optional<twin::ClearanceAccount>& clearance) {
       {"alarms", clearance->alarms()}, {"alarms_from", from}, {"changed_s", clearance->changed_s}};
 }
 
+json manoeuvres_json(const VehicleAccount& vehicle) {
+  json all = json::array();
+  for (const twin::ManoeuvreAccount& one : vehicle.manoeuvres) all.push_back(manoeuvre_json(one));
+  return all;
+}
+
 json distance_json(const std::optional<twin::Approach>& approach) {
   return approach ? json(approach->distance_m) : json(nullptr);
 }
@@ -86,6 +93,7 @@ json account_json(const VehicleAccount& v, UtcTime start) {
        makeup.by_sensors ? maybe(track.rms_navigation_error_m) : json(nullptr)},
       {"cleaning", v.cleaning ? cleaning_json(*v.cleaning) : json(nullptr)},
       {"inspection", v.inspection ? inspection_json(*v.inspection) : json(nullptr)},
+      {"manoeuvres", manoeuvres_json(v)},
       {"fate", name_or_null(fate)},
       {"events", fate_json(v)},
       {"closest", closest_json(v.closest)},

@@ -8,6 +8,7 @@
 #include "api/log/account_tables.h"
 #include "api/show/rehearse/cleaning_report.h"
 #include "api/show/rehearse/inspection_report.h"
+#include "api/show/rehearse/manoeuvre_report.h"
 #include "api/show/rehearse/run_clock.h"
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
@@ -133,6 +134,8 @@ Margins margins_of(const VehicleAccount& vehicle, UtcTime start) {
   add_energy(vehicle, margins);
   if (vehicle.cleaning) margins.emplace_back("Cleaned", cleaned_text(*vehicle.cleaning));
   if (vehicle.inspection) margins.emplace_back("Inspected", covered_text(*vehicle.inspection));
+  for (const twin::ManoeuvreAccount& one : vehicle.manoeuvres)
+    margins.emplace_back(manoeuvre_name(one), manoeuvre_text(one));
   add_closest(vehicle.closest, start, margins);
   if (vehicle.clearance) margins.emplace_back("Clearance alarms", alarms_text(*vehicle.clearance));
   add_largest(vehicle.track, start, margins);

@@ -15,8 +15,9 @@ namespace slackwater::api {
 /// "Battery empty at 18:42:10Z; 1 of 2 tasks done.", "Ran to the end."
 [[nodiscard]] std::string verdict_text(const twin::VehicleAccount& vehicle, UtcTime start);
 
-/// What, and how much of it: energy, what was cleaned and inspected, closest approaches, largest
-/// errors and attitudes with their times. What an account does not hold is not there.
+/// What, and how much of it: energy, what was cleaned and inspected, figures of manoeuvres, closest
+/// approaches, largest errors and attitudes with their times. What an account does not hold is not
+/// there.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> margins_of(
     const twin::VehicleAccount& vehicle, UtcTime start);
 

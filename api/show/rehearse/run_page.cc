@@ -134,7 +134,7 @@ json plan_json(const TrajectoryFile& log, const twin::Scenario& scenario) {
   return plans;
 }
 
-json structures_json(const twin::Scenario& scenario) {
+json run_structures_json(const twin::Scenario& scenario) {
   json structures = json::array();
   for (const twin::ScenarioStructure& s : scenario.structures) {
     const bool is_round = s.kind == twin::ScenarioStructure::Kind::cylinder;
@@ -216,7 +216,7 @@ std::string choice_html() {
          "id=\"vehicle\"></select></p>";
 }
 
-std::string plots(bool has_missions) {
+std::string run_plots(bool has_missions) {
   return (has_missions
               ? plot_html("missions", "What they did",
                           "A row a vehicle. Thin: on its way; full: at work; hollow: holding; "
@@ -294,7 +294,8 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
                 {"member", log.attribute("member")}};
   say_verdict(account, page);
   const std::string outcome = outcome_html(account, scenario != nullptr);
-  page.plots_html = outcome + seen + coverage_plots_html(coverages) + plots(has_missions(account));
+  page.plots_html =
+      outcome + seen + coverage_plots_html(coverages) + run_plots(has_missions(account));
   page.instead_of_plots_html = outcome + seen;
   page.tables_html = coverage_tables_html(coverages, log.epoch, choice.shows_truth) +
                      detections_html(detections_in(log), log.names, choice.shows_truth) +
@@ -305,7 +306,7 @@ std::string run_page_html(const TrajectoryFile& log, std::string_view plotting_l
                      .count()},
        {"vehicles", vehicles},
        {"plan", scenario == nullptr ? json::array() : plan_json(log, *scenario)},
-       {"structures", scenario == nullptr ? json::array() : structures_json(*scenario)},
+       {"structures", scenario == nullptr ? json::array() : run_structures_json(*scenario)},
        {"events", events_json(events)},
        {"timeline", timeline_json(account)},
        {"limits", limits_json(log, scenario)},

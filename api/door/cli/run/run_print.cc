@@ -9,6 +9,7 @@
 #include "api/show/rehearse/account_json.h"
 #include "api/show/rehearse/cleaning_report.h"
 #include "api/show/rehearse/inspection_report.h"
+#include "api/show/rehearse/manoeuvre_report.h"
 #include "fields/base/constants.h"
 #include "fields/base/text.h"
 
@@ -55,6 +56,9 @@ void print_summary(const ScenarioResult& result, const std::filesystem::path& ou
     if (v.cleaning) std::printf("%s: %s\n", v.name.c_str(), cleaning_text(*v.cleaning).c_str());
     if (v.inspection)
       std::printf("%s: %s\n", v.name.c_str(), inspection_text(*v.inspection).c_str());
+    for (const twin::ManoeuvreAccount& one : v.manoeuvres)
+      std::printf("%s: %s: %s\n", v.name.c_str(), manoeuvre_name(one).c_str(),
+                  manoeuvre_text(one).c_str());
   }
   std::printf("%g s from %s in %.2f s (%.0f x real time)%s%s\n", account.ran_s,
               format_utc(account.start).c_str(), result.wall_s, account.ran_s / result.wall_s,
