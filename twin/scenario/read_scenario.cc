@@ -273,7 +273,7 @@ RegularWave read_regular(const Config& waves, std::optional<double> depth_m) {
   RegularWave wave;
   wave.height_m = config.number("height_m", {0.001, 30});
   wave.period_s = config.number("period_s", {0.5, 30});
-  wave.from_direction_deg = config.number("from_direction_deg", {-360, 360});
+  wave.from_direction_deg = config.number("from_deg", {-360, 360});
   if (const std::string why = depth_m ? why_it_breaks(wave, *depth_m) : ""; !why.empty())
     config.refuse("height_m", why);
   return wave;

@@ -39,7 +39,7 @@ YamlValue waves_value(const ScenarioWaves& waves) {
     return value.put("regular", YamlValue()
                                     .put("height_m", waves.regular->height_m)
                                     .put("period_s", waves.regular->period_s)
-                                    .put("from_direction_deg", waves.regular->from_direction_deg));
+                                    .put("from_deg", waves.regular->from_direction_deg));
   value.put("components", static_cast<double>(waves.components));
   if (waves.from_forecast) return value.put("height_errors", waves.have_height_errors);
   std::vector<YamlValue> partitions;

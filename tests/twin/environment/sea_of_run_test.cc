@@ -56,7 +56,7 @@ TEST(SeaOfRun, OfAConstantForecastIsTheSeaThatIsStatedSo) {
 }
 
 TEST(SeaOfRun, OfARegularWaveIsThatWaveForEverySeed) {
-  const std::string waves = "{regular: {height_m: 0.4, period_s: 5, from_direction_deg: 250}}";
+  const std::string waves = "{regular: {height_m: 0.4, period_s: 5, from_deg: 250}}";
   const twin::ReadyRun ready = ready_of(one_rov("1h", waves));
   const SeaRealisation& sea = *ready.environment->sea;
   ASSERT_EQ(sea.waves().size(), 1U);

@@ -88,10 +88,10 @@ std::string with_waves(const std::string& waves) {
 
 TEST(ReadScenario, HasARegularWaveInThePlaceOfASea) {
   for (const char* const from : {"", "from: regular, "}) {
-    const Scenario s = parse_scenario(
-        with_waves(std::string("{") + from +
-                   "regular: {height_m: 0.4, period_s: 5, from_direction_deg: 270}}"),
-        "regular.yaml");
+    const Scenario s =
+        parse_scenario(with_waves(std::string("{") + from +
+                                  "regular: {height_m: 0.4, period_s: 5, from_deg: 270}}"),
+                       "regular.yaml");
     EXPECT_FALSE(s.waves.from_forecast);
     EXPECT_EQ(s.waves.regular, (RegularWave{0.4, 5, 270}));
     EXPECT_TRUE(s.waves.made_up.partitions.empty());
@@ -100,19 +100,18 @@ TEST(ReadScenario, HasARegularWaveInThePlaceOfASea) {
 
 TEST(ReadScenario, RefusesARegularWaveThatCannotBeWithItsLine) {
   for (const auto& [waves, words] : {
-           std::pair{"{regular: {height_m: 4, period_s: 4, from_direction_deg: 0}}",
+           std::pair{"{regular: {height_m: 4, period_s: 4, from_deg: 0}}",
                      "regular.yaml:12: waves.regular.height_m: found H 4 m with T 4 s"},
-           {"{regular: {height_m: 0, period_s: 4, from_direction_deg: 0}}", "0.001"},
-           {"{regular: {height_m: 1, period_s: 0.3, from_direction_deg: 0}}", "period_s"},
-           {"{regular: {height_m: 1, period_s: 31, from_direction_deg: 0}}", "30"},
-           {"{regular: {height_m: 1, period_s: 9}}", "from_direction_deg"},
-           {"{regular: {height_m: 1, period_s: 9, from_deg: 0, from_direction_deg: 0}}",
-            "from_deg"},
-           {"{regular: {height_m: 1, period_s: 9, from_direction_deg: 0}, components: 9}",
+           {"{regular: {height_m: 0, period_s: 4, from_deg: 0}}", "0.001"},
+           {"{regular: {height_m: 1, period_s: 0.3, from_deg: 0}}", "period_s"},
+           {"{regular: {height_m: 1, period_s: 31, from_deg: 0}}", "30"},
+           {"{regular: {height_m: 1, period_s: 9}}", "from_deg"},
+           {"{regular: {height_m: 1, period_s: 9, from_deg: 0, to_deg: 0}}", "to_deg"},
+           {"{regular: {height_m: 1, period_s: 9, from_deg: 0}, components: 9}",
             "found beside regular, which is one wave"},
-           {"{regular: {height_m: 1, period_s: 9, from_direction_deg: 0}, partitions: []}",
+           {"{regular: {height_m: 1, period_s: 9, from_deg: 0}, partitions: []}",
             "found beside regular, which is one wave"},
-           {"{from: calm, regular: {height_m: 1, period_s: 9, from_direction_deg: 0}}",
+           {"{from: calm, regular: {height_m: 1, period_s: 9, from_deg: 0}}",
             "found beside from: calm"},
            {"{from: regular}", "regular"},
        }) {
