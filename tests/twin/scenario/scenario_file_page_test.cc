@@ -81,8 +81,9 @@ TEST(ScenarioFilePage, EveryReaderHasASection) {
 }
 
 TEST(ScenarioFilePage, EveryFunctionOfAReaderHasASection) {
-  for (const char* file : {reader, traffic_reader, surface_reader, limit_reader, conduct_reader,
-                           "twin/mission/read_lookout.cc"}) {
+  for (const char* file :
+       {reader, place_reader, task_reader, water_reader, traffic_reader, surface_reader,
+        limit_reader, conduct_reader, "twin/mission/read_lookout.cc"}) {
     Words in_pieces;
     for (const PagePart& part : parts())
       for (const Piece& piece : part.pieces)
@@ -320,7 +321,7 @@ TEST(ScenarioFilePage, ItsTimesAreTimes) {
 }
 
 TEST(ScenarioFilePage, HasAnExampleOfEachTask) {
-  const std::string read_task = text_of({reader, "ScenarioTask read_task("});
+  const std::string read_task = text_of({task_reader, "ScenarioTask read_task("});
   static const std::regex kind(R"re(kind == "(\w+)")re");
   std::size_t count = 0;
   for (std::sregex_iterator at(read_task.begin(), read_task.end(), kind), end; at != end; ++at) {
