@@ -39,6 +39,8 @@ void read_helm(const Config& task, ManoeuvreTask& manoeuvre) {
   if (in_degrees && as_share)
     task.refuse("helm_share", "found beside helm_deg; give one of the two");
   manoeuvre.helms_are_shares = as_share.has_value();
+  if (in_degrees || as_share)
+    manoeuvre.helm_place = place_of_key(task, as_share ? ".helm_share" : ".helm_deg");
   if (in_degrees) manoeuvre.helms = {*in_degrees * degree};
   if (as_share) manoeuvre.helms = {*as_share};
 }
@@ -65,6 +67,7 @@ void read_spiral(const Config& task, ManoeuvreTask& manoeuvre) {
     task.refuse("helms_share", "found beside helms_deg; give one of the two");
   const char* const key = as_shares ? "helms_share" : "helms_deg";
   manoeuvre.helms_are_shares = as_shares;
+  manoeuvre.helm_place = place_of_key(task, std::string(".") + key);
   manoeuvre.helms = task.numbers(key, as_shares ? Range{-1, 1} : Range{-90, 90});
   if (manoeuvre.helms.size() < 2 || manoeuvre.helms.size() > most_helms)
     task.refuse(key, formatted("found {} helms, expected 2 to {} in their order, such as "
@@ -152,7 +155,7 @@ double longest_s(const ManoeuvreTask& task) noexcept {
 ManoeuvreTask read_manoeuvre(const Config& task, ManoeuvreKind kind) {
   ManoeuvreTask manoeuvre;
   manoeuvre.kind = kind;
-  manoeuvre.place = place_of_key(task, ".do");
+  manoeuvre.place = manoeuvre.helm_place = place_of_key(task, ".do");
   manoeuvre.speed_m_s = task.optional_number("speed_m_s", {0.01, 60});
   if (kind == ManoeuvreKind::steps) {
     read_steps(task, manoeuvre);

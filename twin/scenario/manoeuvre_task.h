@@ -58,6 +58,7 @@ struct ManoeuvreTask {
                              ///< of steps since they began; at most. Of a spiral 0
   std::vector<KeptStep> steps;  ///< `at_s` rising
   SourcePlace place;
+  SourcePlace helm_place;  ///< of the key that says the helm; that of the task where none does
   bool operator==(const ManoeuvreTask&) const = default;
 };
 

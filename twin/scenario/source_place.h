@@ -13,6 +13,9 @@ struct SourcePlace {
   bool operator==(const SourcePlace&) const noexcept { return true; }
 };
 
+/// @throws Error(invalid_input) with the place before it, always
+[[noreturn]] void refuse_at(const SourcePlace& place, const std::string& why);
+
 /// Where a key of this mapping stands, which alone has it. @param key  with a dot before it
 [[nodiscard]] SourcePlace place_of_key(const Config& config, std::string_view key);
 

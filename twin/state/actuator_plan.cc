@@ -1,9 +1,9 @@
 #include "twin/state/actuator_plan.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fields/base/constants.h"
-#include "fields/base/error.h"
 #include "fields/base/text.h"
 
 namespace slackwater::twin {
@@ -24,10 +24,6 @@ constexpr std::array<UnitOfKey, 6> units_of_keys{{
     {KeyUnit::m3, ActuatorUnit::m3, 1},
 }};
 
-[[noreturn]] void refuse_row(const ActuatorRow& row, const std::string& why) {
-  throw Error(ErrorKind::invalid_input, row.place.text + ": " + why);
-}
-
 /// "left_rad_s, left_rpm or left_share"
 std::string keys_of(const ActuatorChannel& channel) {
   std::string keys;
@@ -42,22 +38,24 @@ void put_setting(const ActuatorRow& row, const std::string& key, double value,
   const ActuatorKey parts = actuator_key(key).value();
   const auto at = channel_named(vehicle, parts.name);
   if (!at)
-    refuse_row(row, formatted("{}: found {}, which a {} has not; expected one of {}, with its unit",
-                              key, parts.name, vehicle.name, channel_names(vehicle)));
+    refuse_at(row.place,
+              formatted("{}: found {}, which the {} has not; expected one of {}, with its unit",
+                        key, parts.name, vehicle.name, channel_names(vehicle)));
   const ActuatorChannel channel = channel_of(vehicle, *at).value();
   if (asked.has(*at))
-    refuse_row(row, formatted("{}: found {} twice in a row; give it once", key, parts.name));
+    refuse_at(row.place, formatted("{}: found {} twice in a row; give it once", key, parts.name));
   if (parts.unit == KeyUnit::share) return asked.give(*at, channel.of_share(value));
   for (const auto& [of_key, of_channel, scale] : units_of_keys) {
     if (of_key != parts.unit || of_channel != channel.unit) continue;
     const double physical = scale * value;
     if (!channel.reaches(physical))
-      refuse_row(row, formatted("{}: found {:g}, expected {:g} to {:g}, the limits of a {}", key,
-                                value, channel.least / scale, channel.most / scale, vehicle.name));
+      refuse_at(row.place,
+                formatted("{}: found {:g}, expected {:g} to {:g}, the limits of the {}", key, value,
+                          channel.least / scale, channel.most / scale, vehicle.name));
     return asked.give(*at, std::clamp(physical, channel.least, channel.most));
   }
-  refuse_row(row, formatted("{}: found a unit that {} has not; expected {}", key, parts.name,
-                            keys_of(channel)));
+  refuse_at(row.place, formatted("{}: found a unit that {} has not; expected {}", key, parts.name,
+                                 keys_of(channel)));
 }
 
 /// Which channels no row names and the autopilot has, for what it is to keep.
@@ -77,9 +75,9 @@ void leave_to_autopilot(const ActuatorTable& table, const Vehicle& vehicle,
   }
   const auto expect = [&](bool is_kept, bool can, const char* what) {
     if (is_kept && !can)
-      throw Error(ErrorKind::invalid_input,
-                  table.place.text + ": keep: found " + what +
-                      ", and the table has all that would keep it; leave one of the two out");
+      refuse_at(table.place,
+                std::string("keep: found ") + what +
+                    ", and the table has all that would keep it; leave one of the two out");
   };
   expect(table.keeps_speed, has_thruster, "speed");
   expect(table.keeps_heading, has_rudder ? plan.is_kept[rudder_channel] : has_thruster, "heading");
@@ -95,8 +93,8 @@ ActuatorPlan plan_actuators(const ActuatorTable& table, const Vehicle& vehicle, 
   plan.keeps_speed = table.keeps_speed;
   plan.speed_m_s = table.speed_m_s.value_or(speed_m_s);
   if (table.keeps_depth && vehicle.body.hull.strips > 0)
-    throw Error(ErrorKind::invalid_input, table.place.text + ": keep: found depth, and a " +
-                                              vehicle.name + " floats; leave depth out");
+    refuse_at(table.place,
+              "keep: found depth, and the " + vehicle.name + " floats; leave depth out");
   ActuatorValues named;
   for (const ActuatorRow& row : table.rows) {
     ActuatorValues of_row;

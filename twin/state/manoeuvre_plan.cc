@@ -1,11 +1,11 @@
 #include "twin/state/manoeuvre_plan.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "fields/base/constants.h"
-#include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "twin/control/control_laws.h"
 #include "twin/vehicle/actuator_channels.h"
@@ -21,10 +21,6 @@ constexpr std::array<const char*, 6> order_words{"begin", "heading", "speed",
 constexpr double zig_zag_helm_rad = 20 * degree;
 constexpr double without_end_s = std::numeric_limits<double>::infinity();
 
-[[noreturn]] void refuse_at(const SourcePlace& place, const std::string& why) {
-  throw Error(ErrorKind::invalid_input, place.text + ": " + why);
-}
-
 bool floats(const Vehicle& vehicle) { return vehicle.body.hull.strips > 0; }
 
 /// By a rudder.
@@ -32,9 +28,9 @@ double rudder_rad(const ManoeuvreTask& task, const Vehicle& vehicle, double helm
   const ActuatorChannel rudder = channel_of(vehicle, rudder_channel).value();
   if (task.helms_are_shares) return rudder.of_share(helm);
   if (!rudder.reaches(helm))
-    refuse_at(task.place,
+    refuse_at(task.helm_place,
               formatted("helm_deg: found {:g}{}, expected {:.4g} to {:.4g}, the limits of the "
-                        "rudder of a {}",
+                        "rudder of the {}",
                         helm / degree, task.helms.empty() ? ", which a zig-zag has by default" : "",
                         rudder.least / degree, rudder.most / degree, vehicle.name));
   return std::clamp(helm, rudder.least, rudder.most);
@@ -71,9 +67,9 @@ double yaw_share(const ManoeuvreTask& task, const Vehicle& vehicle, const Autopi
     return has_room(vehicle, autopilot, speed_m_s, voltage_v, share);
   };
   if (!fits(std::abs(helm)))
-    refuse_at(task.place,
+    refuse_at(task.helm_place,
               formatted("helm_share: found {:g}, expected at most {:.2f}: beside the thrust of "
-                        "{:g} m/s, which is held, the thrusters of a {} have no room for more of "
+                        "{:g} m/s, which is held, the thrusters of the {} have no room for more of "
                         "the {:.4g} N m that they turn it with. Ask for less of either",
                         helm, std::floor(100 * greatest(1, fits)) / 100, speed_m_s, vehicle.name,
                         autopilot.allocation.most_either_way(Axis::yaw)));
@@ -86,9 +82,10 @@ std::vector<double> helms_of(const ManoeuvreTask& task, const Vehicle& vehicle, 
   if (task.kind != ManoeuvreKind::zig_zag)
     return {has_rudder ? channel_of(vehicle, rudder_channel)->most : 1.0};
   if (!has_rudder)
-    refuse_at(task.place, formatted("helm_share: missing; a {} has no rudder to put to 20 degrees: "
-                                    "give the share of its thrusters' yaw moment, such as 0.3",
-                                    vehicle.name));
+    refuse_at(task.place,
+              formatted("helm_share: missing; the {} has no rudder to put to 20 degrees: "
+                        "give the share of its thrusters' yaw moment, such as 0.3",
+                        vehicle.name));
   return {zig_zag_helm_rad};
 }
 
@@ -119,11 +116,11 @@ void expect_steps(const ManoeuvreTask& task, const Vehicle& vehicle) {
   for (const KeptStep& step : task.steps) {
     if (!step.depth_m) continue;
     if (floats(vehicle))
-      refuse_at(step.place, "depth_m: found " + formatted("{:g}", *step.depth_m) + ", and a " +
+      refuse_at(step.place, "depth_m: found " + formatted("{:g}", *step.depth_m) + ", and the " +
                                 vehicle.name + " floats; leave it out");
     if (vehicle.rated_depth_m && *step.depth_m > *vehicle.rated_depth_m)
       refuse_at(step.place, formatted("depth_m: found {:g}, expected at most {:g}, the depth that "
-                                      "a {} is rated for",
+                                      "the {} is rated for",
                                       *step.depth_m, *vehicle.rated_depth_m, vehicle.name));
   }
 }
@@ -135,7 +132,7 @@ const char* name_of(Ordered what) noexcept { return order_words[static_cast<std:
 ManoeuvrePlan plan_manoeuvre(const ManoeuvreTask& task, const Vehicle& vehicle,
                              const Autopilot& autopilot, double speed_m_s, double voltage_v) {
   if (vehicle.kind == VehicleKind::uav)
-    refuse_at(task.place, formatted("do: found {}, and a {} flies; manoeuvres are for what swims "
+    refuse_at(task.place, formatted("do: found {}, and the {} flies; manoeuvres are for what swims "
                                     "or floats",
                                     name_of(task.kind), vehicle.name));
   ManoeuvrePlan plan;
@@ -153,13 +150,14 @@ ManoeuvrePlan plan_manoeuvre(const ManoeuvreTask& task, const Vehicle& vehicle,
   plan.by_rudder = channel_of(vehicle, rudder_channel).has_value();
   plan.most_yaw_n_m = autopilot.allocation.most_either_way(Axis::yaw);
   if (!plan.by_rudder && !autopilot.allocation.commands(Axis::yaw))
-    refuse_at(task.place, formatted("do: found {}, and a {} has nothing that turns it",
+    refuse_at(task.place, formatted("do: found {}, and the {} has nothing that turns it",
                                     name_of(task.kind), vehicle.name));
   if (!plan.by_rudder && !task.helms.empty() && !task.helms_are_shares)
-    refuse_at(task.place, formatted("helm_deg: found an angle, and a {} has no rudder: its "
-                                    "thrusters turn it. Give helm_share (of a spiral helms_share) "
-                                    "of the {:.4g} N m that they give either way",
-                                    vehicle.name, plan.most_yaw_n_m));
+    refuse_at(task.helm_place,
+              formatted("helm_deg: found an angle, and the {} has no rudder: its "
+                        "thrusters turn it. Give helm_share (of a spiral helms_share) "
+                        "of the {:.4g} N m that they give either way",
+                        vehicle.name, plan.most_yaw_n_m));
   std::vector<double> helms = helms_of(task, vehicle, plan.by_rudder);
   for (double& helm : helms)
     helm = plan.by_rudder ? rudder_rad(task, vehicle, helm)

@@ -110,7 +110,7 @@ ActuatorValues values_by_name(const Vehicle& vehicle, std::span<const std::strin
     const auto channel = channel_named(vehicle, names[i]);
     if (!channel)
       throw Error(ErrorKind::invalid_input,
-                  formatted("actuators: found {}, expected one of those of a {}: {}", names[i],
+                  formatted("actuators: found {}, expected one of those of the {}: {}", names[i],
                             vehicle.name, channel_names(vehicle)));
     if (out.has(*channel))
       throw Error(ErrorKind::invalid_input,

@@ -167,7 +167,7 @@ TEST(ActuatorTask, OfWhatTheVehicleCannotIsRefusedWithItsLine) {
   const char* const afloat = "depth_m: 0";
   for (const Case& c : {
            Case{"wamv16", afloat, "table: [{at_s: 0, rudder_deg: 5}]",
-                "rudder_deg: found rudder, which a WAM-V 16 has not; expected one of thruster_1, "
+                "rudder_deg: found rudder, which the WAM-V 16 has not; expected one of thruster_1, "
                 "thruster_2, with its unit"},
            Case{"lrauv_tethys", deep, "table: [{at_s: 0, rudder_rad_s: 5}]",
                 "rudder_rad_s: found a unit that rudder has not; expected rudder_deg or "
@@ -189,7 +189,7 @@ TEST(ActuatorTask, OfWhatTheVehicleCannotIsRefusedWithItsLine) {
                 "keep: [speed], speed_m_s: 0.1, table: [{at_s: 0, rudder_deg: 6}]",
                 "speed_m_s: found 0.1 m/s, expected at least "},
            Case{"wamv16", afloat, "keep: [depth], table: [{at_s: 0, thruster_1_share: 0.5}]",
-                "keep: found depth, and a WAM-V 16 floats; leave depth out"},
+                "keep: found depth, and the WAM-V 16 floats; leave depth out"},
        }) {
     const std::string said =
         said_of(c.model, std::string("{do: actuators, duration_s: 9, ") + c.task + "}", c.depth);

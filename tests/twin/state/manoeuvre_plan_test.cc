@@ -62,9 +62,9 @@ TEST(ManoeuvrePlan, OfWhatTheVehicleCannotIsRefusedWithItsLine) {
            Case{"remus100", deep, "{do: spiral, helms_deg: [5, -14.5], each_s: 9}",
                 "helm_deg: found -14.5"},
            Case{"wamv16", afloat, "{do: turning_circle, helm_deg: 10, lasts_s: 9}",
-                "helm_deg: found an angle, and a WAM-V 16 has no rudder"},
+                "helm_deg: found an angle, and the WAM-V 16 has no rudder"},
            Case{"wamv16", afloat, "{do: zig_zag, lasts_s: 9}",
-                "helm_share: missing; a WAM-V 16 has no rudder to put to 20 degrees"},
+                "helm_share: missing; the WAM-V 16 has no rudder to put to 20 degrees"},
            Case{"otter", afloat, "{do: turning_circle, speed_m_s: 1.5, lasts_s: 9}",
                 "helm_share: found 1, expected at most 0.92: beside the thrust of 1.5 m/s"},
            Case{"lauv", deep, "{do: turning_circle, speed_m_s: 30, lasts_s: 9}",
@@ -73,13 +73,13 @@ TEST(ManoeuvrePlan, OfWhatTheVehicleCannotIsRefusedWithItsLine) {
                 "speed_m_s: found 0.2 m/s, expected at least 1 m/s"},
            Case{"lauv", deep, "{do: steps, duration_s: 9, table: [{at_s: 0, speed_m_s: 30}]}",
                 "speed_m_s: found 30 m/s, expected at most "},
-           Case{
-               "remus100", deep, "{do: steps, duration_s: 9, table: [{at_s: 0, depth_m: 150}]}",
-               "depth_m: found 150, expected at most 100, the depth that a REMUS 100 is rated for"},
+           Case{"remus100", deep, "{do: steps, duration_s: 9, table: [{at_s: 0, depth_m: 150}]}",
+                "depth_m: found 150, expected at most 100, the depth that the REMUS 100 is rated "
+                "for"},
            Case{"otter", afloat, "{do: steps, duration_s: 9, table: [{at_s: 0, depth_m: 1}]}",
-                "depth_m: found 1, and a Otter USV floats; leave it out"},
+                "depth_m: found 1, and the Otter USV floats; leave it out"},
            Case{"x500", "height_m: 20", "{do: zig_zag, helm_share: 0.1, lasts_s: 9}",
-                "do: found zig_zag, and a Holybro X500 flies"},
+                "do: found zig_zag, and the Holybro X500 flies"},
        }) {
     try {
       (void)ready_of(doing(c.model, c.task, c.start));

@@ -61,8 +61,9 @@ TEST(ActuatorChannels, GivenInUnitsOrSharesAreTheSame) {
 
 TEST(ActuatorChannels, ByANameThatAVehicleHasNotListThoseThatItHas) {
   const Vehicle usv = bundled("wamv16");
-  EXPECT_EQ(said_of(usv, {"rudder"}, {0.1}),
-            "actuators: found rudder, expected one of those of a WAM-V 16: thruster_1, thruster_2");
+  EXPECT_EQ(
+      said_of(usv, {"rudder"}, {0.1}),
+      "actuators: found rudder, expected one of those of the WAM-V 16: thruster_1, thruster_2");
   EXPECT_EQ(said_of(usv, {"thruster_1", "thruster_1"}, {0.1, 0.2}),
             "actuators: found thruster_1 twice; give it one value");
   EXPECT_EQ(said_of(usv, {"thruster_1"}, {}),
