@@ -22,7 +22,11 @@ TableRows manoeuvre_rows() {
         "rad",
         "of a zig-zag: at which the helm goes over; of a turning circle: after which it is over",
         {}},
-       {"helms", "1", "that it has in all", {}}},
+       {"helms", "1", "that it has in all", {}},
+       {"followed",
+        "s",
+        "since the start of the run: the last step that it had; 0 where it did not begin",
+        {}}},
       {{"kind", "which manoeuvre", {}}}};
 }
 
@@ -52,7 +56,7 @@ std::vector<ingest::TrajectoryTable> manoeuvre_tables(const twin::RunAccount& ac
     for (const ManoeuvreAccount& one : account.vehicles[v].manoeuvres) {
       const auto vehicle = static_cast<double>(v);
       manoeuvres.add({vehicle, static_cast<double>(one.task), one.by_rudder ? 1.0 : 0.0,
-                      one.heading_change_rad, static_cast<double>(one.legs)},
+                      one.heading_change_rad, static_cast<double>(one.legs), one.followed_s},
                      {name_of(one.kind)});
       for (const TaskOrder& order : one.orders)
         orders.add({vehicle, order.task, order.t_s, order.value},
@@ -68,9 +72,10 @@ void read_manoeuvres(const ingest::TrajectoryFile& log, twin::RunAccount& accoun
     ManoeuvreAccount& one = account.vehicles[vehicle].manoeuvres.emplace_back();
     one.task = table.whole("task", row);
     one.kind = table.named("kind", row, twin::ManoeuvreKind::steps);
-    one.by_rudder = table.number("by_rudder", row) > 0.5;
+    one.by_rudder = table.whole("by_rudder", row) == 1;
     one.heading_change_rad = table.number("heading_change", row);
     one.legs = table.whole("helms", row);
+    one.followed_s = table.number("followed", row);
   });
   const TableReader orders(log, "order");
   orders.for_each([&](std::size_t vehicle, std::size_t row) {

@@ -15,6 +15,17 @@ using nlohmann::json;
 
 const std::string zig_zag = (source_folder() / "data/scenarios/zig_zag.yaml").string();
 
+/// An Otter in still water for 70 s; the task is in its eighth line.
+std::string usv_that_does(const StoreForTests& made, const std::string& task) {
+  return made.write("usv.yaml",
+                    "name: usv\nseed: 1\nduration_s: 70\nstep_s: 0.05\nlog_every_s: 0.1\n"
+                    "water: {made_up: {depth_m: 20}}\nvehicles:\n"
+                    "  - {name: usv, tasks: [" +
+                        task +
+                        "],\n"
+                        "     model: otter, start: {north_m: 0, east_m: 0, depth_m: 0}}\n");
+}
+
 TEST(ManoeuvreCommand, TellsTheFiguresOfTheBundledZigZag) {
   const StoreForTests made;
   const ProgramResult run = made.run(
@@ -42,16 +53,13 @@ TEST(ManoeuvreCommand, TellsTheFiguresOfTheBundledZigZag) {
 
 TEST(ManoeuvreCommand, SaysWhyAFigureIsAbsent) {
   const StoreForTests made;
-  const std::string scenario = made.write(
-      "cut.yaml",
-      "name: cut\nseed: 1\nduration_s: 70\nstep_s: 0.05\nlog_every_s: 0.1\nwater: {made_up: "
-      "{depth_m: 20}}\nvehicles:\n  - {name: usv, model: otter, start: {north_m: 0, east_m: 0, "
-      "depth_m: 0}, tasks: [{do: turning_circle, helm_share: 0.3, speed_m_s: 1.2, lasts_s: "
-      "60}]}\n");
+  const std::string scenario =
+      usv_that_does(made, "{do: turning_circle, helm_share: 0.3, speed_m_s: 1.2, lasts_s: 60}");
   const ProgramResult run = made.run({"simulate", scenario});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("0.3 of the thrusters' yaw moment"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("no tactical diameter, no full turn: the run ended at "),
+  EXPECT_NE(run.out.find("no tactical diameter, no half turn, no three quarters turn, no full "
+                         "turn: the run ended at "),
             std::string::npos)
       << run.out;
   const json manoeuvre = json::parse(made.run({"simulate", scenario, "--json"}).out)
@@ -66,6 +74,9 @@ TEST(ManoeuvreCommand, SaysWhyAFigureIsAbsent) {
 
 TEST(ManoeuvreCommand, GoesOnFromACheckpointInItsMiddleToTheSameBytes) {
   const StoreForTests made;
+  // Ten seconds after the first helm.
+  const std::string zig_zag = usv_that_does(
+      made, "{do: zig_zag, helm_share: 0.3, speed_m_s: 1.2, approach_s: 50, lasts_s: 20}");
   const ProgramResult whole =
       made.run({"simulate", zig_zag, "--out", made.path("run.nc"), "--checkpoint",
                 made.path("at.checkpoint"), "--checkpoint-at", "1min"});
@@ -78,14 +89,10 @@ TEST(ManoeuvreCommand, GoesOnFromACheckpointInItsMiddleToTheSameBytes) {
 
 TEST(ManoeuvreCommand, RefusesWhatTheVehicleCannotWithItsLine) {
   const StoreForTests made;
-  const std::string scenario = made.write(
-      "bad.yaml",
-      "name: bad\nseed: 1\nduration_s: 70\nstep_s: 0.05\nwater: {made_up: {depth_m: 20}}\n"
-      "vehicles:\n  - {name: usv, model: otter, start: {north_m: 0, east_m: 0, depth_m: 0},\n"
-      "     tasks: [{do: zig_zag, helm_deg: 20, lasts_s: 60}]}\n");
+  const std::string scenario = usv_that_does(made, "{do: zig_zag, helm_deg: 20, lasts_s: 60}");
   const ProgramResult run = made.run({"simulate", scenario});
   EXPECT_EQ(run.exit_code, 3);
-  EXPECT_NE(run.err.find("bad.yaml:8: helm_deg: found an angle, and a Otter USV has no rudder"),
+  EXPECT_NE(run.err.find("usv.yaml:8: helm_deg: found an angle, and the Otter USV has no rudder"),
             std::string::npos)
       << run.err;
 }

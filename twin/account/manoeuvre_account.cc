@@ -62,11 +62,23 @@ Series heading_in(const VehicleRows& log) {
   return out;
 }
 
+/// Of one vehicle, for all its manoeuvres.
+struct LoggedWay {
+  explicit LoggedWay(const VehicleRows& log)
+      : rows(manoeuvre_rows(log)),
+        speed(speed_in(log)),
+        depth(depth_in(log)),
+        heading(heading_in(log)) {}
+  Rows rows;
+  Series speed, depth, heading;
+};
+
 /// From a time to another, the first value straight between the rows about it.
 Series stretch_of(const Series& all, double from_s, double to_s) {
   Series out;
-  for (std::size_t i = 0; i < all.t_s.size() && all.t_s[i] <= to_s; ++i) {
-    if (all.t_s[i] < from_s) continue;
+  const auto first = std::lower_bound(all.t_s.begin(), all.t_s.end(), from_s);
+  for (auto i = static_cast<std::size_t>(first - all.t_s.begin());
+       i < all.t_s.size() && all.t_s[i] <= to_s; ++i) {
     if (out.t_s.empty() && i > 0 && all.t_s[i] > from_s) {
       const double share = (from_s - all.t_s[i - 1]) / (all.t_s[i] - all.t_s[i - 1]);
       out.t_s.push_back(from_s);
@@ -84,12 +96,12 @@ const TaskOrder* order_of(const ManoeuvreAccount& account, Ordered what) {
   return nullptr;
 }
 
-std::optional<ApproachAccount> approach_of(const VehicleRows& log, double began_s,
+std::optional<ApproachAccount> approach_of(const LoggedWay& way, double began_s,
                                            double executed_s) {
   constexpr double part = 0.2;
   const double from_s = executed_s - part * (executed_s - began_s);
-  const Series speed = stretch_of(speed_in(log), from_s, executed_s);
-  const Series heading = stretch_of(heading_in(log), from_s, executed_s);
+  const Series speed = stretch_of(way.speed, from_s, executed_s);
+  const Series heading = stretch_of(way.heading, from_s, executed_s);
   if (speed.value.size() < 2 || heading.value.size() < 2) return std::nullopt;
   ApproachAccount approach;
   for (const double value : speed.value)
@@ -102,11 +114,11 @@ std::optional<ApproachAccount> approach_of(const VehicleRows& log, double began_
 }
 
 /// The rows of a manoeuvre, each with the helm that was in force.
-Rows rows_with_helm(const VehicleRows& log, const ManoeuvreAccount& account) {
+Rows rows_with_helm(const LoggedWay& way, const ManoeuvreAccount& account) {
   Rows rows;
   auto next = account.orders.begin();
   double helm = 0;
-  for (ManoeuvreRow row : manoeuvre_rows(log)) {
+  for (ManoeuvreRow row : way.rows) {
     if (row.t_s > account.ended_s) break;
     for (; next != account.orders.end() && next->t_s <= row.t_s; ++next)
       if (next->is(Ordered::helm)) helm = next->value;
@@ -130,24 +142,33 @@ double turned_from(const Rows& rows, double from_s, double& most_between_rad) {
   return turned_rad;
 }
 
-/// "ended at 143 degrees"
+const char* how_it_ended(const ManoeuvreAccount& account) {
+  return account.is_over()         ? "ended"
+         : account.was_interrupted ? "was interrupted"
+                                   : "the run ended";
+}
+
+/// "ended at 143 degrees from its approach"
 std::string ended_text(const ManoeuvreAccount& account) {
-  return formatted("{} at {:.0f} degrees from its approach",
-                   account.is_over() ? "ended" : "the run ended",
+  return formatted("{} at {:.0f} degrees from its approach", how_it_ended(account),
                    std::abs(account.turned_rad) / degree);
 }
 
-void say_absent(ManoeuvreAccount& account, const char* name, const std::string& why) {
+void say_absent(ManoeuvreAccount& account, const std::string& name, const std::string& why) {
   account.absent.push_back({name, why});
 }
 
 void add_circle(const Rows& rows, double executed_s, ManoeuvreAccount& account) {
   const TurningCircle& circle = account.circle.emplace(turning_circle(rows, executed_s));
   const std::string ended = ended_text(account);
-  if (!circle.advance_m) say_absent(account, "advance_m", ended);
-  if (!circle.transfer_m) say_absent(account, "transfer_m", ended);
-  if (!circle.tactical_diameter_m) say_absent(account, "tactical_diameter_m", ended);
-  if (!circle.full_s) say_absent(account, "full_s", ended);
+  for (const auto& [name, figure] : {std::pair{"advance_m", circle.advance_m},
+                                     {"transfer_m", circle.transfer_m},
+                                     {"tactical_diameter_m", circle.tactical_diameter_m},
+                                     {"quarter_s", circle.quarter_s},
+                                     {"half_s", circle.half_s},
+                                     {"three_quarters_s", circle.three_quarters_s},
+                                     {"full_s", circle.full_s}})
+    if (!figure) say_absent(account, name, ended);
   if (!circle.steady)
     say_absent(account, "steady",
                std::abs(account.turned_rad) < 0.5 * constants::pi
@@ -161,22 +182,34 @@ void add_zig_zag(const Rows& rows, double executed_s, ManoeuvreAccount& account)
   const std::size_t wanted = account.legs > 0 ? account.legs - 1 : 0;
   const std::size_t overshoots = found.overshoot_rad.size();
   const std::string ended =
-      formatted("{} after {} of {} overshoots", account.is_over() ? "ended" : "the run ended",
-                overshoots, wanted);
+      formatted("{} after {} of {} overshoots", how_it_ended(account), overshoots, wanted);
   if (overshoots < wanted) say_absent(account, "overshoots_deg", ended);
   if (!found.initial_turning_m) say_absent(account, "initial_turning_m", ended);
   if (!found.period_s) say_absent(account, "period_s", ended + ", a period takes 3");
 }
 
+/// Helms that a spiral was put to for all their time; those of one angle in a row are one.
 void add_spiral(const Rows& rows, double executed_s, ManoeuvreAccount& account) {
-  const auto first = std::find_if(rows.begin(), rows.end(),
-                                  [&](const ManoeuvreRow& row) { return row.t_s >= executed_s; });
-  const Spiral& found = account.spiral.emplace(
-      spiral(std::span(rows).subspan(static_cast<std::size_t>(first - rows.begin()))));
-  std::size_t helms = 0;
-  for (const TaskOrder& order : account.orders) helms += order.is(Ordered::helm) ? 1 : 0;
-  if (helms < account.legs || !account.is_over())
-    say_absent(account, "points", formatted("the run ended at helm {} of {}", helms, account.legs));
+  std::vector<TaskOrder> helms;
+  for (const TaskOrder& order : account.orders)
+    if (order.is(Ordered::helm)) helms.push_back(order);
+  const std::size_t begun = helms.size();
+  const double until_s = account.is_over() ? account.ended_s : helms.back().t_s;
+  if (!account.is_over()) helms.pop_back();
+  Rows whole;
+  for (const ManoeuvreRow& row : rows)
+    if (row.t_s >= executed_s && (account.is_over() || row.t_s < until_s)) whole.push_back(row);
+  const Spiral& found = account.spiral.emplace(spiral(whole));
+  if (begun < account.legs || !account.is_over())
+    say_absent(account, "points",
+               formatted("{} at helm {} of {}", how_it_ended(account), begun, account.legs));
+  const auto last = std::unique(helms.begin(), helms.end(),
+                                [](const auto& a, const auto& b) { return a.value == b.value; });
+  const auto unlike = static_cast<std::size_t>(last - helms.begin());
+  if (found.points.size() < unlike)
+    say_absent(account, "points",
+               formatted("{} of {} helms have no row of the log; log more often (log_every_s)",
+                         unlike - found.points.size(), unlike));
   if (!found.loop_width_rad)
     say_absent(account, account.by_rudder ? "loop_width_deg" : "loop_width_share",
                "its helms do not take it from one side to the other and back");
@@ -193,8 +226,9 @@ void add_pull_out(const Rows& rows, ManoeuvreAccount& account) {
   };
   if (helms_s.size() < 2 || !account.is_over() || !is_after(helms_s[1])) {
     say_absent(account, "residual_turn_deg_s",
-               helms_s.size() < 2 ? "the run ended before the helm was amidships"
-                                  : "the run ended before it did");
+               how_it_ended(account) + std::string(helms_s.size() < 2
+                                                       ? " before the helm was amidships"
+                                                       : " before the turn was steady again"));
     return;
   }
   Rows turn;
@@ -205,7 +239,7 @@ void add_pull_out(const Rows& rows, ManoeuvreAccount& account) {
 }
 
 /// Headings of a step from where it kept the one before, the short way.
-StepAccount step_of(const VehicleRows& log, const TaskOrder& before, const TaskOrder& order,
+StepAccount step_of(const LoggedWay& way, const TaskOrder& before, const TaskOrder& order,
                     double until_s) {
   StepAccount step;
   step.what = static_cast<Ordered>(order.what);
@@ -213,9 +247,9 @@ StepAccount step_of(const VehicleRows& log, const TaskOrder& before, const TaskO
   step.from = before.value;
   step.to = order.value;
   step.lasted_s = until_s - order.t_s;
-  Series all = step.what == Ordered::heading ? heading_in(log)
-               : step.what == Ordered::speed ? speed_in(log)
-                                             : depth_in(log);
+  const Series& all = step.what == Ordered::heading ? way.heading
+                      : step.what == Ordered::speed ? way.speed
+                                                    : way.depth;
   Series found = stretch_of(all, step.at_s, until_s);
   if (step.what == Ordered::heading) {
     step.to = step.from + wrapped_rad(step.to - step.from);
@@ -228,7 +262,7 @@ StepAccount step_of(const VehicleRows& log, const TaskOrder& before, const TaskO
   return step;
 }
 
-void add_steps(const VehicleRows& log, ManoeuvreAccount& account) {
+void add_steps(const LoggedWay& way, ManoeuvreAccount& account) {
   for (const Ordered what : {Ordered::heading, Ordered::speed, Ordered::depth}) {
     std::vector<TaskOrder> of_kind;
     for (const TaskOrder& order : account.orders) {
@@ -238,12 +272,19 @@ void add_steps(const VehicleRows& log, ManoeuvreAccount& account) {
       of_kind.push_back(order);
     }
     for (std::size_t i = 1; i < of_kind.size(); ++i) {
-      if (of_kind[i].value == of_kind[i - 1].value) continue;
+      if (of_kind[i].value == of_kind[i - 1].value) {
+        say_absent(
+            account, std::string(name_of(what)) + "_step",
+            formatted("what is asked for at {:g} s of the run is kept already", of_kind[i].t_s));
+        continue;
+      }
       const double until_s = i + 1 < of_kind.size() ? of_kind[i + 1].t_s : account.ended_s;
-      account.steps.push_back(step_of(log, of_kind[i - 1], of_kind[i], until_s));
+      account.steps.push_back(step_of(way, of_kind[i - 1], of_kind[i], until_s));
     }
   }
-  if (!account.is_over()) say_absent(account, "steps", "the run ended before it did");
+  if (!account.is_over())
+    say_absent(account, "steps",
+               std::string(how_it_ended(account)) + " before their time was over");
   std::stable_sort(account.steps.begin(), account.steps.end(),
                    [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
 }
@@ -276,27 +317,36 @@ std::vector<ManoeuvreAccount> manoeuvres_of(const Mission& mission, const Missio
     account.legs = plan.legs.size();
     for (const TaskOrder& order : state.orders) {
       if (order.task != static_cast<double>(i)) continue;
-      if (order.is(Ordered::begin)) account.orders.clear();
       account.orders.push_back(order);
+      account.followed_s = order.t_s;
     }
+    if (i == state.task && account.has_begun() && !account.is_over())
+      account.followed_s = std::max(account.followed_s, state.manoeuvre.last_s);
   }
   return out;
 }
 
-void add_rows(const VehicleRows& log, double until_s, ManoeuvreAccount& account) {
+namespace {
+
+/// @param between_s  from row to row
+void add_way(const LoggedWay& way, double until_s, double between_s, ManoeuvreAccount& account) {
   if (!account.has_begun()) {
     say_absent(account, "all", "it did not come to it");
     return;
   }
-  account.ended_s = account.is_over() ? account.orders.back().t_s : until_s;
-  if (account.kind == ManoeuvreKind::steps) return add_steps(log, account);
+  // Within a row of the end it was not: a run ends with a step that it has.
+  account.was_interrupted = !account.is_over() && until_s - account.followed_s > between_s;
+  account.ended_s = account.is_over() || account.was_interrupted ? account.followed_s : until_s;
+  if (account.kind == ManoeuvreKind::steps) return add_steps(way, account);
   const auto executed_s = account.executed_s();
   if (!executed_s) {
-    say_absent(account, "all", "it ended in its approach");
+    say_absent(account, "all", std::string(how_it_ended(account)) + " in its approach");
     return;
   }
-  account.approach = approach_of(log, account.orders.front().t_s, *executed_s);
-  const Rows rows = rows_with_helm(log, account);
+  account.approach = approach_of(way, account.orders.front().t_s, *executed_s);
+  if (!account.approach)
+    say_absent(account, "approach", "its last fifth has fewer than two rows of the log");
+  const Rows rows = rows_with_helm(way, account);
   double most_between_rad = 0;
   account.turned_rad = turned_from(rows, *executed_s, most_between_rad);
   if (most_between_rad > most_between_rows_rad) {
@@ -319,6 +369,16 @@ void add_rows(const VehicleRows& log, double until_s, ManoeuvreAccount& account)
     case ManoeuvreKind::steps:
       return;
   }
+}
+
+}  // namespace
+
+void add_rows(const VehicleRows& log, double until_s, std::vector<ManoeuvreAccount>& manoeuvres) {
+  if (manoeuvres.empty()) return;
+  const LoggedWay way(log);
+  const std::size_t rows = log.t_s.size();
+  const double between_s = rows > 1 ? log.t_s[rows - 1] - log.t_s[rows - 2] : 0;
+  for (ManoeuvreAccount& account : manoeuvres) add_way(way, until_s, between_s, account);
 }
 
 }  // namespace slackwater::twin

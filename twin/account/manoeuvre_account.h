@@ -11,10 +11,10 @@ namespace slackwater::twin {
 
 /// What a manoeuvre began with, over the last fifth of its approach.
 struct ApproachAccount {
-  double speed_m_s = 0;     ///< ahead through the water, mean
+  double speed_m_s = 0;     ///< ahead, mean; through the water where the log has that
   double most_off_m_s = 0;  ///< of it, from that
   double turned_rad = 0;    ///< from the least to the greatest heading
-  /// Its speed within 2 % of the mean, its heading within a degree.
+  /// Its speed within 2 % of the mean, from its least to its greatest heading 2 degrees at most.
   [[nodiscard]] bool is_steady() const noexcept;
   bool operator==(const ApproachAccount&) const = default;
 };
@@ -52,10 +52,12 @@ struct ManoeuvreAccount {
   double heading_change_rad = 0;  ///< of a zig-zag: psi
   std::size_t legs = 0;           ///< helms that it has in all
   std::vector<TaskOrder> orders;  ///< since it began, the last time that it did; none: it did not
+  double followed_s = 0;          ///< of the run: the last step that it had
 
   // What the rows of the log tell; as it is by default where no log is kept.
-  double ended_s = 0;     ///< of the run
-  double turned_rad = 0;  ///< from its execute to its end, to starboard
+  double ended_s = 0;            ///< of the run
+  bool was_interrupted = false;  ///< by who steers it, or by its way home, and not taken up again
+  double turned_rad = 0;         ///< from its execute to its end, to starboard
   std::optional<ApproachAccount> approach;
   std::optional<TurningCircle> circle;
   std::optional<ZigZag> zig_zag;
@@ -78,9 +80,9 @@ struct MissionState;
 [[nodiscard]] std::vector<ManoeuvreAccount> manoeuvres_of(const Mission& mission,
                                                           const MissionState& state);
 
-/// What the rows of the log tell. Where they are further apart than 20 degrees of a turn, 1.5 % of
-/// its radius, there are no figures.
+/// What the rows of the log tell of all manoeuvres of a vehicle. Where they are further apart than
+/// 20 degrees of a turn, 1.5 % of its radius, there are no figures.
 /// @param until_s  that the vehicle went on
-void add_rows(const VehicleRows& rows, double until_s, ManoeuvreAccount& account);
+void add_rows(const VehicleRows& rows, double until_s, std::vector<ManoeuvreAccount>& manoeuvres);
 
 }  // namespace slackwater::twin

@@ -73,6 +73,9 @@ std::optional<Passing> passing_of(ManoeuvreRows rows, const Side& side, double a
   return std::nullopt;
 }
 
+/// Fewer tell nothing of how steady a rate is.
+constexpr std::size_t least_rows = 5;
+
 /// Mean and largest difference from it.
 struct Spread {
   double mean = 0;
@@ -259,8 +262,10 @@ Spiral spiral(std::span<const ManoeuvreRow> rows) {
   for (std::size_t first = 0; first < rows.size();) {
     std::size_t end = first + 1;
     while (end < rows.size() && rows[end].helm_rad == rows[first].helm_rad) ++end;
-    const Spread turn = spread_of(last_fifth(rows.subspan(first, end - first)), turn_of);
-    out.points.push_back({rows[first].helm_rad, turn.mean, turn.most_off <= 0.01 * largest});
+    const ManoeuvreRows last = last_fifth(rows.subspan(first, end - first));
+    const Spread turn = spread_of(last, turn_of);
+    const bool is_steady = last.size() >= least_rows && turn.most_off <= 0.01 * largest;
+    out.points.push_back({rows[first].helm_rad, turn.mean, is_steady});
     first = end;
   }
   const SpiralWay down = way_of_spiral(out.points, 1), up = way_of_spiral(out.points, -1);

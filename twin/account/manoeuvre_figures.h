@@ -75,8 +75,9 @@ struct ZigZag {
 /// The rate of turn at one helm of a spiral, Dieudonne's or Bech's.
 struct SpiralPoint {
   double helm_rad = 0;
-  double turn_rad_s = 0;   ///< mean of the last fifth of the time at that helm
-  bool is_steady = false;  ///< it stays there within 1 % of the largest rate of the spiral
+  double turn_rad_s = 0;  ///< mean of the last fifth of the time at that helm
+  /// It stays there within 1 % of the largest rate of the spiral, over five rows at least.
+  bool is_steady = false;
   bool operator==(const SpiralPoint&) const = default;
 };
 struct Spiral {

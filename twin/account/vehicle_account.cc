@@ -186,8 +186,7 @@ void add_rows(const VehicleRows& rows, VehicleAccount& account) {
   account.track = track_of(rows);
   account.at_work = track_of(rows, account.ended_s);
   const double last_s = rows.t_s.empty() ? 0 : rows.t_s.back();
-  for (ManoeuvreAccount& manoeuvre : account.manoeuvres)
-    add_rows(rows, account.halt != Halt::none ? account.halted_at_s : last_s, manoeuvre);
+  add_rows(rows, account.halt != Halt::none ? account.halted_at_s : last_s, account.manoeuvres);
 }
 
 }  // namespace slackwater::twin

@@ -192,7 +192,8 @@ bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measure
     halt(state, Halt::no_headway, t_s);
     return false;
   }
-  const ControlState before = state.control;
+  const bool has_manoeuvres = !agent.mission.manoeuvres.empty();
+  const ControlState before = has_manoeuvres ? state.control : ControlState{};
   const Effort effort =
       effort_of(*agent.autopilot, asked.measured, reference, agent.plan.dt_s, state.control);
   const Rotation<double> r = rotation_of(state.vehicle.body.attitude);
@@ -204,8 +205,10 @@ bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measure
   command.moving_mass_m = effort.moving_mass_m;
   command.volume_m3 = effort.volume_m3;
   if (command_by_table(agent, around, state, command)) return true;
-  const auto by_helm = command_by_helm(agent, effort, before, meet, state, command);
-  note_thrust(agent.autopilot->allocation, by_helm.value_or(effort), agent.plan.dt_s, state.thrust);
+  const auto by_helm =
+      has_manoeuvres ? command_by_helm(agent, effort, before, meet, state, command) : std::nullopt;
+  note_thrust(agent.autopilot->allocation, by_helm ? *by_helm : effort, agent.plan.dt_s,
+              state.thrust);
   return true;
 }
 

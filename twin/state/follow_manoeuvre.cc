@@ -84,6 +84,9 @@ void begin_manoeuvre(const ManoeuvrePlan& plan, const Measured& measured, double
   own.heading_rad = bearing_rad(state.kept_heading);
   own.last_s = t_s;
   own.speed_m_s = plan.speed_m_s;
+  std::erase_if(state.orders, [&](const TaskOrder& of_before) {
+    return of_before.task == static_cast<double>(state.task);
+  });
   state.orders.reserve(state.orders.size() + plan.most_orders());
   order(Ordered::begin, 0, t_s, state);
   order(Ordered::heading, own.heading_rad, t_s, state);
@@ -94,7 +97,10 @@ void begin_manoeuvre(const ManoeuvrePlan& plan, const Measured& measured, double
 bool go_on(const ManoeuvrePlan& plan, const Measured& measured, double t_s, double dt_s,
            MissionState& state) {
   ManoeuvreState& own = state.manoeuvre;
-  if (t_s - own.last_s > 1.5 * dt_s) begin_manoeuvre(plan, measured, t_s, state);
+  if (t_s - own.last_s > 1.5 * dt_s) {
+    state.kept_m = measured.position_m;
+    begin_manoeuvre(plan, measured, t_s, state);
+  }
   own.last_s = t_s;
   const double heading_rad = bearing_rad(bow_course(measured));
   if (own.leg > 0) own.turned_rad += wrapped_rad(heading_rad - own.heading_rad);

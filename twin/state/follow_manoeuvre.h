@@ -3,12 +3,12 @@
 
 namespace slackwater::twin {
 
-/// Begins the manoeuvre that is the task under way, here and as the bow lies.
+/// Begins the manoeuvre that is the task under way, at the depth that is kept and as the bow lies.
 void begin_manoeuvre(const ManoeuvrePlan& plan, const Measured& measured, double t_s,
                      MissionState& state);
 
 /// A step of it: what is due is ordered. Where somebody else had the vehicle meanwhile it begins
-/// anew, with its approach: what was interrupted is no manoeuvre.
+/// anew, with its approach and at the depth where it is: what was interrupted is no manoeuvre.
 /// @return false: it is over
 [[nodiscard]] bool go_on(const ManoeuvrePlan& plan, const Measured& measured, double t_s,
                          double dt_s, MissionState& state);

@@ -43,7 +43,7 @@ struct MissionState {
   Triple<double> track_drift_m_s;  ///< learned while a track is followed
   Triple<double> offset_m;         ///< of the frame that the route is in
   ManoeuvreState manoeuvre;        ///< of the task under way
-  std::vector<TaskOrder> orders;   ///< of all manoeuvres so far
+  std::vector<TaskOrder> orders;   ///< of all manoeuvres so far, since each began last
 };
 
 /// The vehicle before its first task, which is to begin where it is.

@@ -151,7 +151,9 @@ std::string plain_name(std::string name) {
       break;
     }
   std::replace(name.begin(), name.end(), '_', ' ');
-  return name == "steady" || name == "full" ? name + " turn" : name;
+  for (const char* of_a_turn : {"steady", "quarter", "half", "three quarters", "full"})
+    if (name == of_a_turn) return name + " turn";
+  return name;
 }
 
 /// Those with one reason together.

@@ -358,6 +358,58 @@ TEST(ManoeuvresInARun, BeginAnewAfterSomebodyAtTheHelm) {
   EXPECT_TRUE(account.approach.value().is_steady());
 }
 
+// By hand she goes on straight: that is none of her turn.
+TEST(ManoeuvresInARun, HaveTheFiguresUntilSomebodyTookThemOver) {
+  Flown flown = begun_flight(
+      doing("otter",
+            "{do: turning_circle, helm_share: 0.3, speed_m_s: 1.2, approach_s: 30, lasts_s: 300}",
+            afloat));
+  flown.until(40);
+  const double turned_rad = flown.state().mission.manoeuvre.turned_rad;
+  steer(*flown.run, {0.5, 0, 0, 0}, 5);
+  flown.until(75);
+  const ManoeuvreAccount account = flown.account().manoeuvres.at(0);
+  EXPECT_TRUE(account.was_interrupted);
+  EXPECT_NEAR(account.ended_s, 40, 0.1);
+  // A row is two steps apart.
+  EXPECT_NEAR(account.turned_rad, turned_rad, 2 * 0.05 * 0.5);
+  EXPECT_FALSE(account.circle.value().steady);
+  const auto full = std::find_if(account.absent.begin(), account.absent.end(),
+                                 [](const auto& figure) { return figure.name == "full_s"; });
+  ASSERT_NE(full, account.absent.end());
+  EXPECT_EQ(full->why.rfind("was interrupted at ", 0), 0U) << full->why;
+}
+
+TEST(ManoeuvresInARun, BeginAnewAtTheDepthWhereTheyAreLeft) {
+  Flown flown = begun_flight(
+      doing("bluerov2_heavy",
+            "{do: turning_circle, helm_share: 0.05, speed_m_s: 0.4, approach_s: 60, lasts_s: 60}"));
+  flown.until(20);
+  const double before_m = flown.state().vehicle.body.position_m.z;
+  steer(*flown.run, {0, 0, 0.3, 0}, 10);
+  flown.run->enqueue({0, 0, twin::Resume{}});
+  flown.until(31);
+  const double kept_m = flown.state().mission.kept_m.z;
+  EXPECT_GT(kept_m, before_m + 1) << "it was led down";
+  flown.until(70);
+  // Its way down ends within that of the depth that it keeps.
+  EXPECT_NEAR(flown.state().vehicle.body.position_m.z, kept_m, 0.3);
+}
+
+/// Every figure that is null is named with its reason.
+TEST(ManoeuvresInARun, SayWhyEachFigureOfACircleIsAbsent) {
+  const ManoeuvreAccount cut = flown_manoeuvre(
+      doing("otter",
+            "{do: turning_circle, helm_share: 0.3, speed_m_s: 1.2, approach_s: 30, lasts_s: 120}",
+            afloat),
+      33);
+  std::vector<std::string> names;
+  for (const auto& figure : cut.absent) names.push_back(figure.name);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"advance_m", "transfer_m", "tactical_diameter_m", "quarter_s",
+                                      "half_s", "three_quarters_s", "full_s", "steady"}));
+}
+
 TEST(ManoeuvresInARun, ThatDoNotEndSaySo) {
   const std::string circle =
       "{do: turning_circle, helm_share: 0.3, speed_m_s: 1.2, approach_s: 30, lasts_s: 120}";
@@ -368,7 +420,7 @@ TEST(ManoeuvresInARun, ThatDoNotEndSaySo) {
   EXPECT_EQ(cut.absent[0].why.rfind("the run ended at ", 0), 0U) << cut.absent[0].why;
   const ManoeuvreAccount approach = flown_manoeuvre(doing("otter", circle, afloat), 20);
   ASSERT_EQ(approach.absent.size(), 1U);
-  EXPECT_EQ(approach.absent[0].why, "it ended in its approach");
+  EXPECT_EQ(approach.absent[0].why, "the run ended in its approach");
   const ManoeuvreAccount none =
       flown_manoeuvre(doing("otter", "{do: hold, duration: 5min}, " + circle, afloat), 20);
   EXPECT_EQ(none.absent.at(0).why, "it did not come to it");
