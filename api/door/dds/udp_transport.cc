@@ -47,8 +47,13 @@ class UdpTransport final : public transport::ChainingTransport {
                const rtps::Locator_t& remote) override {
     Bytes changed;
     const auto source = [&remote] { return rtps::IPLocator::toIPv4string(remote); };
-    const Payload in =
-        descriptor_.intake->admit({bytes, size}, source, changed, std::chrono::steady_clock::now());
+    Payload in;
+    try {
+      in = descriptor_.intake->admit({bytes, size}, source, changed,
+                                     std::chrono::steady_clock::now());
+    } catch (...) {
+      return;  // no memory for it: it is lost, as others are on their way
+    }
     if (!in.empty())
       above->OnDataReceived(in.data(), static_cast<std::uint32_t>(in.size()), local, remote);
   }

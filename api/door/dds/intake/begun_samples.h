@@ -1,6 +1,5 @@
 #pragma once
 #include <map>
-#include <utility>
 
 #include "api/door/dds/intake/datagram.h"
 
@@ -8,21 +7,31 @@ namespace slackwater::dds {
 
 /// Samples of which pieces have come. The library keeps what it was told of a sample with its first
 /// piece, makes room by that, and believes every later piece: so all must tell the same. Of each
-/// writer so many of the newest are remembered, and pieces of older ones refused.
+/// writer and of each participant so many of the newest are remembered. The oldest make room, and
+/// pieces of what made room are refused from then on, as of all that is older from that writer.
 class BegunSamples {
  public:
-  enum class Found { known, begun, refused };
-  /// Of a piece that is to be let in.
-  Found look(const Piece& piece);
-  void forget(const Prefix& participant);
+  static constexpr std::size_t most_of_a_writer = 64;  ///< as many as a reader keeps out of order
+  static constexpr std::size_t most_of_a_participant = 256;  ///< samples, and writers too
+
+  enum class Found { known, fresh, refused };
+  /// What a piece is of. It is remembered once it is let in.
+  [[nodiscard]] Found look(const Piece& piece) const;
+  /// @param piece  that was found fresh
+  void remember(const Piece& piece);
+  void forget(const Prefix& participant) { of_.erase(participant); }
 
  private:
-  static constexpr std::size_t most_of_a_writer = 64;  ///< as many as a reader keeps out of order
-  static constexpr std::size_t most = 16'384;
-
-  using ByNumber = std::map<std::int64_t, Piece>;
-  std::map<std::pair<Prefix, std::uint32_t>, ByNumber> writers_;
-  std::size_t count_ = 0;
+  struct OfWriter {
+    std::map<std::int64_t, Piece> samples;  ///< by their number
+    std::int64_t made_room = 0;             ///< the greatest number that did
+    void make_room();
+  };
+  struct OfParticipant {
+    std::map<std::uint32_t, OfWriter> writers;
+    std::size_t samples = 0;
+  };
+  std::map<Prefix, OfParticipant> of_;
 };
 
 }  // namespace slackwater::dds

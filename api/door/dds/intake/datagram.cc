@@ -176,6 +176,8 @@ class Reading {
     const auto payload = part.body.rest();
     if ((has_sample || has_key) && payload.size() < 4) return "a sample of nothing";
     if (head.writer == announcing_writer) {
+      // The lease of one alone is looked at.
+      if (is_announced_) return "two announcements";
       is_announced_ = true;
       return has_sample ? read_announcement(part, payload) : std::string_view{};
     }

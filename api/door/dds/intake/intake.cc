@@ -57,8 +57,10 @@ bool Intake::takes_pieces(Payload bytes, Time now) {
   for_each_piece(bytes, [&](const Piece& piece) {
     if (!takes) return;
     const auto found = begun_.look(piece);
-    takes = found == BegunSamples::Found::known ||
-            (found == BegunSamples::Found::begun && begun_bytes_.take(piece.sample_bytes, now));
+    const bool is_fresh = found == BegunSamples::Found::fresh;
+    takes =
+        is_fresh ? begun_bytes_.take(piece.sample_bytes, now) : found == BegunSamples::Found::known;
+    if (takes && is_fresh) begun_.remember(piece);
   });
   return takes;
 }

@@ -31,6 +31,8 @@ class Fields {
     return *this;
   }
   Fields& entity(std::uint32_t id) { return raw(bytes_of(id, Order::big)); }
+  /// As most bodies have them.
+  Fields& ends(const Ends& of) { return entity(of.reader).entity(of.writer); }
   Fields& number(std::int64_t of_sample) {
     return put(static_cast<std::uint32_t>(static_cast<std::uint64_t>(of_sample) >> 32U))
         .put(static_cast<std::uint32_t>(of_sample));
@@ -100,14 +102,9 @@ class ForgedRtps {
   }
   ForgedRtps& data(const Ends& ends, std::int64_t number, dds::Payload sample,
                    std::uint16_t to_inline_qos = 16, std::uint8_t flags = 5) {
-    return part(0x15, flags,
-                Fields()
-                    .put(std::uint16_t{0})
-                    .put(to_inline_qos)
-                    .entity(ends.reader)
-                    .entity(ends.writer)
-                    .number(number)
-                    .raw(sample));
+    return part(
+        0x15, flags,
+        Fields().put(std::uint16_t{0}).put(to_inline_qos).ends(ends).number(number).raw(sample));
   }
   ForgedRtps& announce(const dds::Prefix& participant, const ForgedPlace& place = {},
                        std::int64_t number = 1) {
@@ -126,8 +123,7 @@ class ForgedRtps {
                 Fields()
                     .put(std::uint16_t{0})
                     .put(std::uint16_t{28})
-                    .entity(ends.reader)
-                    .entity(ends.writer)
+                    .ends(ends)
                     .number(of.number)
                     .put(of.first)
                     .put(of.count)
@@ -137,32 +133,16 @@ class ForgedRtps {
   }
   ForgedRtps& heartbeat(const Ends& ends, std::int64_t first, std::int64_t last,
                         std::uint32_t count = 1) {
-    return part(
-        0x07, 1,
-        Fields().entity(ends.reader).entity(ends.writer).number(first).number(last).put(count));
+    return part(0x07, 1, Fields().ends(ends).number(first).number(last).put(count));
   }
   /// @param words  of the set that follow, whatever its bits
   ForgedRtps& gap(const Ends& ends, std::int64_t start, std::int64_t base, std::uint32_t bits = 0,
                   std::size_t words = 0) {
-    return part(0x08, 1,
-                Fields()
-                    .entity(ends.reader)
-                    .entity(ends.writer)
-                    .number(start)
-                    .number(base)
-                    .put(bits)
-                    .zeros(4 * words));
+    return part(0x08, 1, Fields().ends(ends).number(start).number(base).put(bits).zeros(4 * words));
   }
   ForgedRtps& acknack(const Ends& ends, std::int64_t base, std::uint32_t bits, dds::Payload set,
                       std::uint32_t count = 1) {
-    return part(0x06, 1,
-                Fields()
-                    .entity(ends.reader)
-                    .entity(ends.writer)
-                    .number(base)
-                    .put(bits)
-                    .raw(set)
-                    .put(count));
+    return part(0x06, 1, Fields().ends(ends).number(base).put(bits).raw(set).put(count));
   }
   [[nodiscard]] const dds::Bytes& bytes() const noexcept { return made_.bytes(); }
 

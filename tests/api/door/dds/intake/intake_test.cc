@@ -203,6 +203,8 @@ TEST_F(IntakeTest, MakesRoomForSoManySamplesInPieces) {
   int begun = 0;
   for (int i = 1; i <= 60; ++i) begun += begins(i) ? 1 : 0;
   EXPECT_EQ(begun, 15) << "of 4 MiB each: 64 MB";
+  EXPECT_FALSE(begins(20)) << "nor with a second piece of what was refused";
+  EXPECT_TRUE(begins(7)) << "more of what has begun";
   now_ += 60s;
   EXPECT_TRUE(begins(61));
 }
