@@ -31,7 +31,8 @@ twin::SetActuators actuators_of(const dds::AgentAsked& asked, const twin::Vehicl
   }
   if (there != values.size())
     throw Error(ErrorKind::invalid_input,
-                formatted("a command of {} actuators; expected one number for each of {}",
+                formatted("a command of {} actuators; expected one number for each of {}, in that "
+                          "order, NaN for what is left out",
                           values.size(), twin::channel_names(vehicle)));
   return set;
 }
