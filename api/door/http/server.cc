@@ -17,6 +17,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "api/door/http/client_address.h"
 #include "api/door/http/metrics.h"
 #include "api/door/http/session.h"
 #include "fields/base/check.h"
@@ -73,11 +74,7 @@ Peer peer_of(const sockaddr_storage& address) {
   Peer peer;
   peer.is_loopback = is_loopback(address);
   peer.is_ipv6 = address.ss_family == AF_INET6;
-  const auto bytes_of = [](const auto& of) {
-    return std::string(reinterpret_cast<const char*>(&of), sizeof of);
-  };
-  peer.address = peer.is_ipv6 ? bytes_of(reinterpret_cast<const sockaddr_in6&>(address).sin6_addr)
-                              : bytes_of(reinterpret_cast<const sockaddr_in&>(address).sin_addr);
+  peer.address = client_address(address);
   return peer;
 }
 

@@ -295,9 +295,12 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     };
     if (is_too_much()) site_.make_room(peer_.address, bytes);
     if (is_too_much() && bytes > small_answer_bytes) {
-      return refuse({503, "Other clients are taking in " +
-                              std::to_string(site_.answer_bytes >> 20U) +
-                              " MB of answers; ask for less, or again in a moment."});
+      return refuse({503, "Found " + std::to_string(site_.answer_bytes >> 20U) +
+                              " MB of answers on their way to clients, expected room for this one "
+                              "in the client's share of " +
+                              std::to_string(site_.limits.answer_bytes >> 20U) +
+                              " MB; take in those that you asked for, ask for less, or again in a "
+                              "moment."});
     }
     write(std::move(reply));
   }
