@@ -85,12 +85,7 @@ json report_page() {
                             of_site({}), std::move(responses))}};
 }
 
-json guarded(json operation) {
-  operation["responses"]["401"] =
-      refused_for("Neither from this machine nor with the token of --token-file");
-  operation["security"] = json::array({json::object(), {{"operator", json::array()}}});
-  return operation;
-}
+json guarded(json operation) { return http::openapi::for_operators(std::move(operation), "401"); }
 
 json what_if() {
   json responses = refusals({"404"});
@@ -340,7 +335,7 @@ json interface_document() {
           {"missionId",
            path_parameter("missionId", "A rehearsal, by its id", "0123456789abcdef")}}},
         {"schemas", schemas()},
-        {"securitySchemes", {{"operator", {{"type", "http"}, {"scheme", "bearer"}}}}}}}};
+        {"securitySchemes", http::openapi::operator_scheme()}}}};
 }
 
 }  // namespace slackwater::api::desk

@@ -20,6 +20,15 @@ json answer(const std::string& description, json schema) {
           {"content", {{"application/json", {{"schema", std::move(schema)}}}}}};
 }
 
+json for_operators(json operation, const char* refused_by) {
+  operation["responses"][refused_by] =
+      refused_for("Neither from this machine nor with the token of --token-file");
+  operation["security"] = json::array({json::object(), {{"operator", json::array()}}});
+  return operation;
+}
+
+json operator_scheme() { return {{"operator", {{"type", "http"}, {"scheme", "bearer"}}}}; }
+
 json refused_for(const std::string& description) {
   return {
       {"description", description},

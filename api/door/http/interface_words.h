@@ -19,6 +19,10 @@ namespace slackwater::api::http::openapi {
 [[nodiscard]] nlohmann::json answer(const std::string& description, nlohmann::json schema);
 /// A refusal, as RFC 7807 has it.
 [[nodiscard]] nlohmann::json refused_for(const std::string& description);
+/// An operation for who asks from this machine or shows the operator's token, others refused by
+/// that status; the document has `operator_scheme` among its `securitySchemes`.
+[[nodiscard]] nlohmann::json for_operators(nlohmann::json operation, const char* refused_by);
+[[nodiscard]] nlohmann::json operator_scheme();
 /// What any request may be refused for; and `more`, statuses that the document knows.
 [[nodiscard]] nlohmann::json refusals(std::initializer_list<const char*> more = {});
 [[nodiscard]] nlohmann::json operation(const std::string& id, const std::string& tag,

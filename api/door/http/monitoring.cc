@@ -37,11 +37,7 @@ json described(const char* id, const char* summary, const char* answer, bool is_
   if (answer == std::string_view("Health"))
     responses["503"] = openapi::reference("responses", answer);
   json get = openapi::operation(id, "Service", summary, json::array(), std::move(responses));
-  if (!is_for_all) {
-    get["responses"]["403"] =
-        openapi::refused_for("Neither from this machine nor with the token of --token-file");
-    get["security"] = json::array({json::object(), {{"operator", json::array()}}});
-  }
+  if (!is_for_all) get = openapi::for_operators(std::move(get), "403");
   return {{"get", std::move(get)}};
 }
 
@@ -84,7 +80,7 @@ json monitoring_document(Monitoring who) {
               {"Counters",
                {{"description", "Prometheus text"},
                 {"content", {{"text/plain", {{"schema", openapi::text()}}}}}}}}},
-            {"securitySchemes", {{"operator", {{"type", "http"}, {"scheme", "bearer"}}}}}}}};
+            {"securitySchemes", openapi::operator_scheme()}}}};
 }
 
 }  // namespace slackwater::api::http

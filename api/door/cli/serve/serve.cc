@@ -129,7 +129,7 @@ void warn_of_others(const http::Server& server, const ServeArguments& arguments)
                                     : "without TLS and without a password: whoever reaches this "
                                       "machine reads all that is served"},
              {"advice", "listen on 127.0.0.1, behind a proxy (behind_a_proxy.md)"}});
-  if (arguments.monitoring == "everyone")
+  if (http::monitoring_named(arguments.monitoring) == http::Monitoring::everyone)
     log_event(LogLevel::warning, "monitoring is open to other machines",
               {{"paths", "/health /metrics"},
                {"advice", "--monitoring health, local or nobody (http.md)"}});
