@@ -279,9 +279,11 @@ TEST_F(DamagedStore, ACatalogueThatSaysOtherThingsIsNamedAndNeverOursToMend) {
       {"UPDATE forecast SET day = 'yesterday'", "the column day holds 'yesterday'"},
       {"UPDATE forecast SET wind_policy = 'none'", "the column wind_policy holds 'none'"},
       {"UPDATE source SET sha256 = 'x' WHERE id = 1", "expected a checksum"},
-      {"UPDATE forecast SET summary_json = summary_json || '}'", "summary_json of row 1 of table"},
+      {"UPDATE forecast SET summary_json = summary_json || '}'",
+       "the summary_json of forecast 1 is no JSON"},
       {"UPDATE forecast SET summary_json = '[\"' || CAST(x'ff' AS TEXT) || '\"]'",
-       "summary_json of row 1 of table forecast is no JSON"},
+       "the summary_json of forecast 1 is no JSON"},
+      {"ALTER TABLE forecast RENAME COLUMN summary_json TO text", "the table forecast is not as"},
       {"DELETE FROM source WHERE id = 1", "names a row of table source that is not there"}};
   for (const Damage& damage : all) {
     samples::write_file(catalogue_, sound);
