@@ -38,6 +38,7 @@ template <typename Work>
 double seconds_of(const Work& work) {
   Pipe pipe;
   const pid_t child = ::fork();
+  if (child < 0) throw std::runtime_error("no process could be made");
   if (child == 0) {
     double took_s = -1;
     try {
@@ -49,6 +50,7 @@ double seconds_of(const Work& work) {
     }
     ::_exit(::write(pipe.writing(), &took_s, sizeof took_s) == sizeof took_s ? 0 : 1);
   }
+  pipe.close_writing();  // so that a child that dies is heard of
   double took_s = -1;
   const bool is_told = ::read(pipe.reading(), &took_s, sizeof took_s) == sizeof took_s;
   ::waitpid(child, nullptr, 0);

@@ -25,7 +25,9 @@ std::uint64_t Child::bytes_in_use() const {
   return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-void Child::end() const noexcept { ::kill(process_, SIGKILL); }
+void Child::end() const noexcept {
+  if (process_ > 0) ::kill(process_, SIGKILL);
+}
 
 int Child::wait() noexcept {
   int status = 0;

@@ -16,6 +16,7 @@ class Child {
   [[nodiscard]] pid_t process() const noexcept { return process_; }
   /// Of memory; 0: it is over.
   [[nodiscard]] std::uint64_t bytes_in_use() const;
+  /// Of one that is over: nothing.
   void end() const noexcept;
   /// Of one that has nothing more to say: it is ended where it does not end within ten seconds.
   /// @return its status, as waitpid has it

@@ -39,6 +39,7 @@ bool send_share(int descriptor, int permille) {
 bool send_answer(int descriptor, std::string_view answer) { return send(descriptor, 'a', answer); }
 
 void Told::take(std::string_view more, const std::function<void(double)>& on_share) {
+  if (is_answered) return;
   bytes += more;
   std::size_t at = 0;
   while (bytes.size() - at >= head_bytes) {
@@ -47,13 +48,14 @@ void Told::take(std::string_view more, const std::function<void(double)>& on_sha
     if (bytes.size() - at - head_bytes < size) break;
     if (bytes[at] == 'a') {
       bytes.erase(0, at + head_bytes);
+      bytes.resize(size);
       answer = std::move(bytes);
       is_answered = true;
       bytes.clear();
       return;
     }
-    if (on_share)
-      on_share(std::strtod(bytes.substr(at + head_bytes, size).c_str(), nullptr) / 1000);
+    const double share = std::strtod(bytes.substr(at + head_bytes, size).c_str(), nullptr) / 1000;
+    if (on_share && bytes[at] == 's' && share >= 0 && share <= 1) on_share(share);
     at += head_bytes + size;
   }
   bytes.erase(0, at);

@@ -19,6 +19,7 @@ struct Told {
   std::string answer;
   bool is_answered = false;
 
+  /// What it says behind its answer counts for nothing, nor does what is no share.
   /// @param on_share  hears shares, in [0, 1]; may be empty
   void take(std::string_view more, const std::function<void(double)>& on_share);
 };
