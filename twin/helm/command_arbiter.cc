@@ -401,7 +401,8 @@ Refusal CommandArbiter::count(std::string_view client, std::string vehicle, Refu
                            {std::string(client), std::move(vehicle), refusal.reason, 0, 0, {}});
   ++found->count;
   found->last_s = now_s;
-  found->last_text = printable(refusal.text, 1000);
+  refusal.text = printable(refusal.text, 1000);
+  found->last_text = refusal.text;
   return refusal;
 }
 
