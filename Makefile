@@ -43,7 +43,7 @@ bench: test-packages
 	cmake --build --preset release -j$(JOBS) --target slackwater slackwater_bench_all
 	tests/bench/run build/release
 
-# Long runs: 200 kills instead of 10, 210 days of bands, 500 twins, a vehicle behind a lossy link,
+# Long runs: 200 kills instead of 7, 210 days of bands, 500 twins, a vehicle behind a lossy link,
 # 10 000 readers that come and go, ten minutes of serving, attacks on the server and on the ports of
 # DDS, damaged files, two hours of fuzzing.
 soak: test-packages venv
