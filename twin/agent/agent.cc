@@ -199,11 +199,7 @@ bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measure
   const Rotation<double> r = rotation_of(state.vehicle.body.attitude);
   const ThrustersMeet meet{measured.nu.linear - r.to_body(measured.water_m_s),
                            state.vehicle.bus_voltage_v, around.height_above_m};
-  command_thrusters(*agent.vehicle, effort.thrust_n, meet, command);
-  command.rudder_rad = effort.rudder_rad;
-  command.elevator_rad = effort.elevator_rad;
-  command.moving_mass_m = effort.moving_mass_m;
-  command.volume_m3 = effort.volume_m3;
+  command_effort(*agent.vehicle, effort, meet, command);
   if (command_by_table(agent, around, state, command)) return true;
   const auto by_helm =
       has_manoeuvres ? command_by_helm(agent, effort, before, meet, state, command) : std::nullopt;

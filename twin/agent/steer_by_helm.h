@@ -1,7 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "twin/agent/command_thrusters.h"
+#include "twin/agent/agent.h"
+#include "twin/step/command_thrusters.h"
 
 namespace slackwater::twin {
 

@@ -9,8 +9,8 @@
 #include "twin/body/frame.h"
 #include "twin/inspection/inspection.h"
 #include "twin/run/set_up.h"
-#include "twin/vehicle/balance.h"
 #include "twin/vehicle/hover.h"
+#include "twin/vehicle/own_autopilot.h"
 #include "twin/vehicle/top_speed.h"
 
 namespace slackwater::twin {
@@ -46,25 +46,6 @@ Mission mission_of(const Vehicle& vehicle, const Autopilot& autopilot, const Sce
   return mission;
 }
 
-/// Of the slowest of its thrusters.
-double longest_rise_s(const Vehicle& vehicle) {
-  double longest_s = 0;
-  for (const Thruster& thruster : vehicle.thrusters)
-    longest_s = std::max(longest_s, thruster.rise_time_constant_s);
-  return longest_s;
-}
-
-/// What a thruster gives at rest on a bus of this voltage.
-ThrustRange range_of(const Thruster& thruster, double voltage_v) {
-  ThrusterSurroundings<double> around;
-  around.voltage_v = voltage_v;
-  around.height_m = 1e3;
-  const auto most = run(thruster, thruster.most_command, around);
-  const auto least = run(thruster, thruster.least_command, around);
-  return {std::min(least.thrust_n, 0.0), most.thrust_n,
-          most.thrust_n > 0 ? most.torque_n_m / most.thrust_n : 0};
-}
-
 }  // namespace
 
 Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
@@ -79,17 +60,9 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
                          entry.held_voltage_v);
   AutopilotSettings settings = vehicle->autopilot;
   if (entry.follower == FollowerChoice::no_feed_forward) settings.current_feed_forward = false;
-  double voltage_v = entry.held_voltage_v;
-  if (!(voltage_v > 0) && vehicle->battery)
-    voltage_v = rest_voltage_v(*vehicle->battery, rested(*vehicle->battery, 0.5));
-  std::vector<ThrustRange> ranges;
-  for (std::size_t i = 0; i < vehicle->mounts; ++i)
-    ranges.push_back(range_of(thruster_of(*vehicle, i), voltage_v));
-  agent.autopilot = std::make_shared<const Autopilot>(
-      plan_autopilot(settings, vehicle->kind, vehicle->body,
-                     {std::span(vehicle->mount).first(vehicle->mounts), ranges, vehicle->rudder,
-                      vehicle->elevator, vehicle->trim, longest_rise_s(*vehicle)}));
-  expect_strength(*vehicle, *agent.autopilot);
+  const double voltage_v =
+      entry.held_voltage_v > 0 ? entry.held_voltage_v : usual_voltage_v(*vehicle);
+  agent.autopilot = std::make_shared<const Autopilot>(own_autopilot(*vehicle, settings, voltage_v));
   agent.mission = mission_of(*vehicle, *agent.autopilot, entry, voltage_v);
   // What circles for ever by design, or hangs on a tether, is not what water carries off.
   if (!agent.mission.has_follower && !entry.tether)

@@ -12,6 +12,7 @@
 #include "fields/base/text.h"
 #include "twin/step/vehicle_step.h"
 #include "twin/vehicle/driven.h"
+#include "twin/vehicle/own_autopilot.h"
 
 namespace slackwater::twin {
 namespace {
@@ -130,8 +131,7 @@ OpenLoop open_loop_at(const Vehicle& vehicle, double speed_m_s) {
 
 /// Where all that pushes ahead meets its resistance.
 double fastest_m_s(const Vehicle& vehicle) {
-  const double voltage_v =
-      vehicle.battery ? rest_voltage_v(*vehicle.battery, rested(*vehicle.battery, 0.5)) : 0;
+  const double voltage_v = usual_voltage_v(vehicle);
   const Body& body = vehicle.body;
   constexpr double faster_than_any_m_s = 40;
   return greatest(faster_than_any_m_s, [&](double speed_m_s) {

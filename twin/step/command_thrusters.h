@@ -1,5 +1,6 @@
 #pragma once
-#include "twin/agent/agent.h"
+#include "twin/control/autopilot.h"
+#include "twin/step/vehicle_state.h"
 
 namespace slackwater::twin {
 
@@ -15,5 +16,8 @@ struct ThrustersMeet {
 /// as well as it is known.
 void command_thrusters(const Vehicle& vehicle, const std::array<double, most_mounts>& thrust_n,
                        const ThrustersMeet& meet, VehicleCommand<double>& command);
+/// Those of all actuators that an autopilot asks for.
+void command_effort(const Vehicle& vehicle, const Effort& effort, const ThrustersMeet& meet,
+                    VehicleCommand<double>& command);
 
 }  // namespace slackwater::twin

@@ -1,4 +1,4 @@
-#include "twin/agent/command_thrusters.h"
+#include "twin/step/command_thrusters.h"
 
 #include "twin/thruster/thrust_curve.h"
 
@@ -25,6 +25,15 @@ void command_thrusters(const Vehicle& vehicle, const std::array<double, most_mou
       });
     }
   }
+}
+
+void command_effort(const Vehicle& vehicle, const Effort& effort, const ThrustersMeet& meet,
+                    VehicleCommand<double>& command) {
+  command_thrusters(vehicle, effort.thrust_n, meet, command);
+  command.rudder_rad = effort.rudder_rad;
+  command.elevator_rad = effort.elevator_rad;
+  command.moving_mass_m = effort.moving_mass_m;
+  command.volume_m3 = effort.volume_m3;
 }
 
 }  // namespace slackwater::twin
