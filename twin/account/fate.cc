@@ -20,6 +20,7 @@ constexpr std::array all_fates{
     FateWords{"battery_cut_off", "battery cut off at its least voltage"},
     FateWords{"tether_parted", "its tether parted"},
     FateWords{"turned_over", "turned over"},
+    FateWords{"left_depth", "left its depth"},
     FateWords{"fell", "fell"},
     FateWords{"struck_structure", "struck a structure"},
     FateWords{"struck_sea", "struck the sea"},
@@ -90,6 +91,7 @@ std::vector<FateEvent> fate_of(const Agent& agent, const AgentState& state, doub
   const bool fell_first = flies && lost_power && m.capsized_s >= m.power_lost_s;
   if (!std::isnan(m.capsized_s) && state.halt != Halt::capsized && !fell_first)
     events.push_back({Fate::turned_over, m.capsized_s});
+  if (!std::isnan(m.left_depth_s)) events.push_back({Fate::left_depth, m.left_depth_s});
   std::stable_sort(events.begin(), events.end(),
                    [](const FateEvent& a, const FateEvent& b) { return *a.at_s < *b.at_s; });
   if (flies && !events.empty() && (lost_power || state.halt == Halt::struck))

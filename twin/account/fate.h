@@ -19,7 +19,8 @@ enum class Fate : std::uint8_t {
   battery_cut_off,  ///< at its least voltage
   tether_parted,
   turned_over,
-  fell,  ///< out of the air
+  left_depth,  ///< that it was to keep, by more than its scenario bears
+  fell,        ///< out of the air
   struck_structure,
   struck_sea,
   aground,

@@ -177,6 +177,18 @@ bool command_by_table(const Agent& agent, const Surroundings<double>& around, Ag
   return true;
 }
 
+/// Of what swims, while it has power: whether it leaves its depth. Where a table has its actuators
+/// and keeps none, that is where it was.
+void watch_depth(const Agent& agent, const Reference& reference, double t_s, AgentState& state) {
+  if (!(agent.depth_bound_m > 0) || reference.vertical != Vertical::depth) return;
+  const bool is_helmed = state.helm.is_helmed() || state.conduct.doing != Doing::task;
+  const ActuatorPlan* const table =
+      is_helmed ? nullptr : actuators_asked(agent.mission, state.mission).plan;
+  const double wanted_m =
+      table == nullptr || table->keeps_depth ? reference.position_m.z : Milestones::never;
+  note_depth(state.milestones, agent.depth_bound_m, wanted_m, state.vehicle.body.position_m.z, t_s);
+}
+
 /// Asks helm or mission, the watch for headway and the autopilot.
 /// @return false where the agent halts
 bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measured& measured,
@@ -192,6 +204,7 @@ bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measure
     halt(state, Halt::no_headway, t_s);
     return false;
   }
+  if (has_power) watch_depth(agent, reference, t_s, state);
   const bool has_manoeuvres = !agent.mission.manoeuvres.empty();
   const ControlState before = has_manoeuvres ? state.control : ControlState{};
   const Effort effort =

@@ -71,6 +71,7 @@ struct Agent {
   std::optional<Clearance> clearance;            ///< nothing: it goes as if it were alone
   /// That pass by and keep their courses; shared by all vehicles of the run, null: none.
   std::shared_ptr<const std::vector<TrafficVessel>> vessels;
+  double depth_bound_m = 0;          ///< of leaving its depth (`note_depth`); 0: nobody asks
   std::optional<CoarsePlan> coarse;  ///< nothing: water and tether are met in full at each step
   HelmRule helm;                     ///< how long it goes on without a word from outside
 };

@@ -81,8 +81,13 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
     if (entry.navigates_by_sensors || (sensors.imu && sensors.compass))
       agent.navigation = plan_navigation(*vehicle, agent.plan.dt_s, entry.navigates_by_sensors);
   }
+  const bool swims = vehicle->kind != VehicleKind::uav && vehicle->body.hull.strips == 0;
+  if (entry.depth_bound_m > 0 && !swims)
+    throw Error(ErrorKind::invalid_input,
+                "depth_bound_m: a " + vehicle->name + " keeps no depth; leave it out");
+  agent.depth_bound_m = entry.depth_bound_m;
   if (entry.detail == StepDetail::coarse) {
-    if (vehicle->kind == VehicleKind::uav || vehicle->body.hull.strips > 0) {
+    if (!swims) {
       throw Error(ErrorKind::invalid_input,
                   "detail: coarse is for what swims under water; a " + vehicle->name +
                       " meets wind or waves at each step: leave `detail` out");

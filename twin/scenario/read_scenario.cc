@@ -118,6 +118,7 @@ ScenarioVehicle read_vehicle(const Config& config, bool by_sensors) {
   }
   vehicle.state_of_charge = config.optional_number("state_of_charge", {0, 1}).value_or(1);
   vehicle.held_voltage_v = config.optional_number("hold_bus_v", {1, 1000}).value_or(0);
+  vehicle.depth_bound_m = config.optional_number("depth_bound_m", {0, 1000}).value_or(0);
   vehicle.step_s = config.optional_number("step_s", {1e-4, 1});
   if (const AskedSpeed asked = read_speed(config); asked.m_s > 0) {
     vehicle.speed_m_s = asked.m_s;

@@ -83,7 +83,7 @@ ScenarioWaves read_waves(const Config& config, std::optional<double> depth_m) {
   waves.components =
       static_cast<std::size_t>(c->optional_integer("components", 8, 1024).value_or(200));
   const std::string from =
-      c->optional_text("from").value_or(c->has("regular")   ? "regular"
+      c->optional_text("from").value_or(c->has("regular")          ? "regular"
                                         : c->is_list("partitions") ? "partitions"
                                                                    : "forecast");
   if (from == "regular" || c->has("regular")) {

@@ -119,6 +119,7 @@ struct ScenarioVehicle {
   double heading_rad = 0;
   double state_of_charge = 1;
   double held_voltage_v = 0;  ///< above 0: the bus is held there
+  double depth_bound_m = 0;   ///< above 0: it is said where it leaves its depth by more
   std::optional<double> step_s;
   StepDetail detail = StepDetail::full;
   FollowerChoice follower = FollowerChoice::line_of_sight;

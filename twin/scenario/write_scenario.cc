@@ -186,6 +186,7 @@ YamlValue vehicle_value(const ScenarioVehicle& vehicle) {
               place_value(vehicle.start_m).put("heading_deg", degrees_for(vehicle.heading_rad)));
   value.put("state_of_charge", vehicle.state_of_charge);
   if (vehicle.held_voltage_v > 0) value.put("hold_bus_v", vehicle.held_voltage_v);
+  if (vehicle.depth_bound_m > 0) value.put("depth_bound_m", vehicle.depth_bound_m);
   if (vehicle.step_s) value.put("step_s", *vehicle.step_s);
   if (vehicle.speed_m_s) put_speed(*vehicle.speed_m_s, vehicle.is_speed_over_ground, value);
   if (vehicle.detail != usual.detail) value.put("detail", "coarse");

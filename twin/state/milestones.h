@@ -15,6 +15,8 @@ struct Milestones {
   double capsized_s = never;
   double line_parted_s = never;
   double most_line_n = 0;         ///< of its tether, at the vehicle
+  double kept_depth_m = never;    ///< the last one that was to be kept and at which it was
+  double left_depth_s = never;    ///< see `note_depth`
   double largest_pitch_sine = 0;  ///< of its size
   /// Of the largest roll: sine squared of it up to a right angle, 2 less that beyond: grows with
   /// it, without a call of atan2.
@@ -43,6 +45,19 @@ inline void note_attitude(Milestones& m, const Rotation<double>& r, double t_s) 
     m.largest_roll_measure = std::max(m.largest_roll_measure, r.down.z < 0 ? 2 - share : share);
   }
   if (is_capsized(r) && std::isnan(m.capsized_s)) m.capsized_s = t_s;
+}
+
+/// Leaves its depth: one that has been within `bound_m` of the depth that it is to keep is not any
+/// more, though that stayed where it was. On the way to another depth it leaves none.
+/// @param wanted_m  to be kept; no number: nobody keeps one, and it is to be where it was
+inline void note_depth(Milestones& m, double bound_m, double wanted_m, double depth_m,
+                       double t_s) noexcept {
+  if (std::isnan(m.kept_depth_m)) m.kept_depth_m = depth_m;
+  if (std::isnan(wanted_m)) wanted_m = m.kept_depth_m;
+  if (std::abs(depth_m - wanted_m) <= bound_m)
+    m.kept_depth_m = wanted_m;
+  else if (std::abs(wanted_m - m.kept_depth_m) <= bound_m && std::isnan(m.left_depth_s))
+    m.left_depth_s = t_s;
 }
 
 /// @param off  of the battery: 1 once it gives nothing more

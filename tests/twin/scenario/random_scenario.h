@@ -233,6 +233,7 @@ class RandomScenario : private RandomSurface {
     }
     v.state_of_charge = number(0, 1);
     if (chance(0.5)) v.held_voltage_v = number(1, 1000);
+    if (chance(0.5)) v.depth_bound_m = number(0.01, 1000);
     if (chance(0.5)) v.step_s = number(1e-4, 1);
     v.detail = pick<twin::StepDetail>({twin::StepDetail::full, twin::StepDetail::coarse});
     v.follower = static_cast<twin::FollowerChoice>(count(0, 3));

@@ -171,7 +171,7 @@ double default_told(const std::string& heading, const std::string& key) {
 }
 
 /// There 0 stands for nothing.
-const Words none_by_default{"hold_bus_v", "most_speed_m_s", "density_kg_m3"};
+const Words none_by_default{"hold_bus_v", "depth_bound_m", "most_speed_m_s", "density_kg_m3"};
 
 /// `optional_number("key", {0, 5}).value_or(2)`.
 TEST(ScenarioFilePage, HasTheDefaultsThatReadersSpellOut) {
