@@ -7,6 +7,7 @@
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "twin/environment/environment.h"
+#include "twin/handling/handling_findings.h"
 
 namespace slackwater::twin {
 namespace {
@@ -91,7 +92,8 @@ std::vector<Variation> with_other_vehicles(const Scenario& mission, const Surrou
     for (const std::string& id : ids) {
       const auto file = vehicle_file(id, surround.data_folder);
       if (file == own) continue;
-      const auto other = std::make_shared<const Vehicle>(read_vehicle(file, surround.data_folder));
+      const auto other =
+          std::make_shared<const Vehicle>(read_handled_vehicle(file, surround.data_folder));
       if (!has_any(asked->kinds, name_of(other->kind))) continue;
       Variation changed{"with " + other->name + " for " + vehicle_of(entry, shelf).name, mission,
                         shelf, start};

@@ -7,6 +7,7 @@
 #include "fields/base/check.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
+#include "twin/handling/handling_findings.h"
 #include "twin/run/expect_places.h"
 #include "twin/run/expect_speeds.h"
 #include "twin/run/printable.h"
@@ -84,7 +85,7 @@ std::shared_ptr<const Vehicle> NewcomerYard::vehicle_of(const std::string& model
     const std::lock_guard lock(mutex_);
     if (const auto known = shelf_.find(file); known != shelf_.end()) return known->second;
   }
-  const auto read = std::make_shared<const Vehicle>(read_vehicle(file, data_folder_));
+  const auto read = std::make_shared<const Vehicle>(read_handled_vehicle(file, data_folder_));
   const std::lock_guard lock(mutex_);
   return shelf_.emplace(file, read).first->second;
 }

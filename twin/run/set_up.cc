@@ -12,6 +12,7 @@
 #include "twin/agent/keep_lookout.h"
 #include "twin/body/frame.h"
 #include "twin/environment/sea_of_run.h"
+#include "twin/handling/handling_findings.h"
 #include "twin/run/expect_places.h"
 #include "twin/run/expect_speeds.h"
 #include "twin/run/ready_company.h"
@@ -81,7 +82,7 @@ const std::shared_ptr<const Vehicle>& taken_from(VehicleShelf& shelf,
                                                  const std::filesystem::path& file,
                                                  const std::filesystem::path& data_folder) {
   auto& vehicle = shelf[file];
-  if (!vehicle) vehicle = std::make_shared<const Vehicle>(read_vehicle(file, data_folder));
+  if (!vehicle) vehicle = std::make_shared<const Vehicle>(read_handled_vehicle(file, data_folder));
   return vehicle;
 }
 
