@@ -89,6 +89,7 @@ const Arrows& allowed_arrows_of_api() {
       {"api/pipeline/ingest", {"api/program"}},
       {"api/log", {"api/json"}},
       {"api/ask/run", {"api/issued", "api/log", "api/pipeline", "api/program"}},
+      {"api/ask/vehicle", {"api/ask/run", "api/program"}},
       {"api/ask/render", {"api/ask/run", "api/log", "api/program"}},
       {"api/ask/detect", {"api/ask/render", "api/log", "api/perception"}},
       {"api/ask/rehearse", {"api/ask/run", "api/program"}},
@@ -104,6 +105,7 @@ const Arrows& allowed_arrows_of_api() {
       {"api/show/rehearse",
        {"api/ask/rehearse", "api/json", "api/log", "api/program", "api/show/coverage",
         "api/show/report"}},
+      {"api/show/vehicle", {"api/ask/vehicle", "api/json", "api/show/rehearse", "api/show/report"}},
       {"api/show/render", {"api/ask/render", "api/program"}},
       {"api/show/perception", {"api/perception"}},
       {"api/show/detect", {"api/ask/detect", "api/perception", "api/program", "api/show/report"}},
@@ -185,7 +187,9 @@ const Arrows& allowed_arrows_of_api() {
         "api/program"}},
       {"api/door/cli/store",
        {"api/door/cli", "api/made_up/demo", "api/pipeline", "api/pipeline/ingest", "api/program",
-        "api/show/morning", "api/show/report", "api/show/traffic"}}};
+        "api/show/morning", "api/show/report", "api/show/traffic"}},
+      {"api/door/cli/vehicle",
+       {"api/ask/vehicle", "api/door/cli", "api/program", "api/show/vehicle"}}};
   return arrows;
 }
 

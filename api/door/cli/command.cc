@@ -149,6 +149,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_rehearse(app, context);
   add_score(app, context);
   add_render(app, context);
+  add_vehicle(app, context);
   add_stage(app, context);
   add_windows(app, context);
   add_workability(app, context);

@@ -74,6 +74,7 @@ void add_replay(CLI::App& app, Context& context);
 void add_rehearse(CLI::App& app, Context& context);
 void add_score(CLI::App& app, Context& context);
 void add_render(CLI::App& app, Context& context);
+void add_vehicle(CLI::App& app, Context& context);
 void add_stage(CLI::App& app, Context& context);
 void add_windows(CLI::App& app, Context& context);
 void add_workability(CLI::App& app, Context& context);

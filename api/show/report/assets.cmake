@@ -29,11 +29,12 @@ function(slackwater_report_assets target)
   set(SLACKWATER_SKILL_SCRIPT ${SLACKWATER_REPORT_FOLDER}/page/skill.js)
   set(SLACKWATER_RUN_SCRIPT ${SLACKWATER_REPORT_FOLDER}/page/run.js)
   set(SLACKWATER_REHEARSAL_SCRIPT ${SLACKWATER_REPORT_FOLDER}/page/rehearsal.js)
+  set(SLACKWATER_VEHICLE_SCRIPT ${SLACKWATER_REPORT_FOLDER}/page/vehicle.js)
   set(SLACKWATER_REPORT_LIBRARY ${library})
   configure_file(${SLACKWATER_REPORT_FOLDER}/assets.cc.in ${assets}/assets.cc @ONLY)
   set(parts ${SLACKWATER_REPORT_STYLE} ${SLACKWATER_REPORT_COMMON_SCRIPT}
       ${SLACKWATER_REPORT_SCRIPT} ${SLACKWATER_SKILL_SCRIPT} ${SLACKWATER_RUN_SCRIPT}
-      ${SLACKWATER_REHEARSAL_SCRIPT} ${library})
+      ${SLACKWATER_REHEARSAL_SCRIPT} ${SLACKWATER_VEHICLE_SCRIPT} ${library})
   set_source_files_properties(${assets}/assets.cc PROPERTIES OBJECT_DEPENDS "${parts}")
   target_sources(${target} PRIVATE ${assets}/assets.cc)
 endfunction()

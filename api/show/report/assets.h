@@ -11,6 +11,7 @@ report_common_script();                             ///< page/common.js, before 
 [[nodiscard]] std::string_view skill_script();      ///< page/skill.js
 [[nodiscard]] std::string_view run_script();        ///< page/run.js
 [[nodiscard]] std::string_view rehearsal_script();  ///< page/rehearsal.js
+[[nodiscard]] std::string_view vehicle_script();    ///< page/vehicle.js
 /// Apache ECharts, minified; empty where npm could not fetch it at build time.
 [[nodiscard]] std::string_view report_plotting_library();
 

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "api/ask/vehicle/vehicle_check.h"
+
+namespace slackwater::api {
+
+/// The page of `slackwater vehicle check --html`: the verdict, the turning circle from above, the
+/// zig-zags in time, and the tables.
+[[nodiscard]] std::string check_page_html(const VehicleCheck& check,
+                                          std::string_view plotting_library);
+
+}  // namespace slackwater::api
