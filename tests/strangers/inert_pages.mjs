@@ -24,7 +24,7 @@ const NOT_ON_PAGES = [
 const NOWHERE = [
   ...["file title", "file institution", "file source", "file history", "file comment", "file references", "file dataset_id"],
   ...["variable long_name", "variable units", "variable comment", "product title"],
-  ...["task category", "task sensor", "risk source", "vehicle sheet name", "plan skill", "AIS call sign", "AIS destination"],
+  ...["task category", "task sensor", "risk source", "plan skill", "AIS call sign", "AIS destination"],
 ];
 
 const began_ms = Date.now();

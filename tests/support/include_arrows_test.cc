@@ -89,7 +89,7 @@ const Arrows& allowed_arrows_of_api() {
       {"api/pipeline/ingest", {"api/program"}},
       {"api/log", {"api/json"}},
       {"api/ask/run", {"api/issued", "api/log", "api/pipeline", "api/program"}},
-      {"api/ask/vehicle", {"api/ask/run", "api/program"}},
+      {"api/ask/vehicle", {"api/ask/run"}},
       {"api/ask/render", {"api/ask/run", "api/log", "api/program"}},
       {"api/ask/detect", {"api/ask/render", "api/log", "api/perception"}},
       {"api/ask/rehearse", {"api/ask/run", "api/program"}},
@@ -189,7 +189,7 @@ const Arrows& allowed_arrows_of_api() {
        {"api/door/cli", "api/made_up/demo", "api/pipeline", "api/pipeline/ingest", "api/program",
         "api/show/morning", "api/show/report", "api/show/traffic"}},
       {"api/door/cli/vehicle",
-       {"api/ask/vehicle", "api/door/cli", "api/program", "api/show/vehicle"}}};
+       {"api/ask/vehicle", "api/door/cli", "api/program", "api/show/report", "api/show/vehicle"}}};
   return arrows;
 }
 

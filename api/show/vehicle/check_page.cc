@@ -68,13 +68,22 @@ json data_json(const VehicleCheck& check) {
   return {{"circle", circle}, {"zigzags", zig_zags}};
 }
 
+std::string manoeuvres_html(const VehicleCheck& check) {
+  if (check.manoeuvres.empty()) return "";
+  std::string html = "<section><h2>Manoeuvres in still water</h2><div class=\"cards\">";
+  for (const FlownManoeuvre& one : check.manoeuvres)
+    html += "<div class=\"card\"><h3>" + escaped_html(one.name) + "</h3><p>" +
+            escaped_html(figures_of(one)) + "</p></div>";
+  return html + "</div></section>\n";
+}
+
 }  // namespace
 
 std::string check_page_html(const VehicleCheck& check, std::string_view plotting_library) {
   HtmlPage page;
   page.title = "Check of " + check.vehicle.name;
   page.site = check.file.filename().string();
-  page.headline = check_verdict(check);
+  page.headline = check.vehicle.name + " " + check_verdict(check);
   if (!check.vehicle.warnings.empty()) {
     page.alarm = "Warnings.";
     page.headline = joined(check.vehicle.warnings, "; ") + "; " + page.headline;
@@ -89,6 +98,7 @@ std::string check_page_html(const VehicleCheck& check, std::string_view plotting
                   "From where the helm was put over, its course then upwards (m).") +
         plot_html("zigzag", "Zig-zags",
                   "Heading from the course at the first helm (degrees), s since then.");
+  page.tables_html = manoeuvres_html(check);
   for (const ReportTable& table : check_tables(check)) page.tables_html += table_html(table);
   page.data_json = script_safe(data_json(check));
   page.script = vehicle_script();

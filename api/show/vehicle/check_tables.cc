@@ -155,19 +155,6 @@ ReportTable modes(const VehicleCheck& check) {
   return table;
 }
 
-ReportTable manoeuvres(const VehicleCheck& check) {
-  ReportTable table;
-  table.title = "Manoeuvres in still water";
-  table.columns = {"manoeuvre", "figures"};
-  for (const FlownManoeuvre& one : check.manoeuvres) {
-    std::vector<std::string> said;
-    if (one.account) said.push_back(manoeuvre_text(*one.account));
-    if (!one.why_not.empty()) said.push_back((one.account ? "" : "not flown: ") + one.why_not);
-    table.rows.push_back({one.name, joined(said, "; ")});
-  }
-  return table;
-}
-
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;  // not the rest of a UTF-8 letter
@@ -187,10 +174,16 @@ std::string row_text(const Row& row, const std::vector<std::size_t>& widths) {
 
 std::vector<ReportTable> check_tables(const VehicleCheck& check) {
   std::vector<ReportTable> tables{at_rest(check), by_speed(check)};
-  if (check.flies()) return tables;
-  tables.push_back(modes(check));
-  tables.push_back(manoeuvres(check));
+  if (!check.flies()) tables.push_back(modes(check));
   return tables;
+}
+
+std::string figures_of(const FlownManoeuvre& manoeuvre) {
+  std::vector<std::string> said;
+  if (manoeuvre.account) said.push_back(manoeuvre_text(*manoeuvre.account));
+  if (!manoeuvre.why_not.empty())
+    said.push_back((manoeuvre.account ? "" : "not flown: ") + manoeuvre.why_not);
+  return joined(said, "; ");
 }
 
 std::string check_verdict(const VehicleCheck& check) {

@@ -7,8 +7,10 @@
 
 namespace slackwater::api {
 
-/// How a vehicle lies and goes, as tables of words: at rest, by speed, its modes, its manoeuvres.
+/// How a vehicle lies and goes, as tables of words: at rest, by speed, its modes.
 [[nodiscard]] std::vector<ReportTable> check_tables(const VehicleCheck& check);
+/// The figures of a manoeuvre, or why there are none.
+[[nodiscard]] std::string figures_of(const FlownManoeuvre& manoeuvre);
 
 /// The sentence to read first: "goes straight by itself and keeps its course", or what it does not.
 [[nodiscard]] std::string check_verdict(const VehicleCheck& check);

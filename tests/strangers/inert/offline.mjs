@@ -4,7 +4,7 @@ import { pathToFileURL } from "node:url";
 import { tell_tips } from "./look.mjs";
 
 // Whether it has charts.
-const PAGES = { forecast: true, report: false, verify: true, run: true, rehearsal: true, inspection: true, seen: false };
+const PAGES = { forecast: true, report: false, verify: true, check: true, run: true, rehearsal: true, inspection: true, seen: false };
 
 export async function look_offline(looker, work) {
   for (const [name, has_charts] of Object.entries(PAGES)) {

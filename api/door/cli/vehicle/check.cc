@@ -37,6 +37,8 @@ void run_check(const CheckArguments& arguments, const Context& context) {
   std::printf("%s, %s: %s\n\n%s", check.vehicle.name.c_str(),
               check.file.filename().string().c_str(), check_verdict(check).c_str(),
               tables_text(check_tables(check)).c_str());
+  for (const FlownManoeuvre& one : check.manoeuvres)
+    std::printf("%s: %s\n", one.name.c_str(), figures_of(one).c_str());
 }
 
 }  // namespace
