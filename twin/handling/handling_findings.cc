@@ -1,5 +1,6 @@
 #include "twin/handling/handling_findings.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fields/base/constants.h"
@@ -7,6 +8,7 @@
 #include "fields/base/text.h"
 #include "twin/step/open_loop.h"
 #include "twin/vehicle/own_autopilot.h"
+#include "twin/vehicle/top_speed.h"
 
 namespace slackwater::twin {
 namespace {
@@ -103,8 +105,12 @@ std::string grows(const OpenLoop& by_itself, Plane plane) {
 
 std::vector<BalanceFinding> findings_on_handling(const Vehicle& vehicle) {
   if (vehicle.kind == VehicleKind::uav) return {};
-  const Autopilot autopilot = own_autopilot(vehicle, vehicle.autopilot, usual_voltage_v(vehicle));
-  const KeptCourse course = kept_course(vehicle, autopilot, vehicle.cruise_speed_m_s);
+  const double voltage_v = usual_voltage_v(vehicle);
+  const Autopilot autopilot = own_autopilot(vehicle, vehicle.autopilot, voltage_v);
+  // One that it does not reach is another finding (`expect_speeds`).
+  const double speed_m_s =
+      std::min(vehicle.cruise_speed_m_s, top_speed_m_s(vehicle, autopilot, voltage_v, true));
+  const KeptCourse course = kept_course(vehicle, autopilot, speed_m_s);
   if (is_kept(course)) return {};
   const OpenLoop by_itself = open_loop_of(vehicle);
   const Plane plane = plane_of(course, by_itself);
