@@ -10,6 +10,7 @@
 #include "twin/vehicle/read_fins.h"
 #include "twin/vehicle/read_mounts.h"
 #include "twin/vehicle/vehicle.h"
+#include "twin/vehicle/vehicle_of.h"
 
 namespace slackwater::twin {
 namespace {
@@ -58,8 +59,7 @@ void read_wind(const Config& config, Vehicle& vehicle) {
 
 }  // namespace
 
-Vehicle read_vehicle(const std::filesystem::path& file, const std::filesystem::path& data_folder) {
-  const Config config = Config::load(file);
+Vehicle vehicle_of(const Config& config, const std::filesystem::path& data_folder) {
   Vehicle vehicle;
   vehicle.places = config.places();
   vehicle.id = config.text("id");
@@ -107,6 +107,10 @@ Vehicle read_vehicle(const std::filesystem::path& file, const std::filesystem::p
     vehicle.warnings.push_back(std::string(finding.key) + ": " + finding.what);
   }
   return vehicle;
+}
+
+Vehicle read_vehicle(const std::filesystem::path& file, const std::filesystem::path& data_folder) {
+  return vehicle_of(Config::load(file), data_folder);
 }
 
 }  // namespace slackwater::twin
