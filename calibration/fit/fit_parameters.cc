@@ -125,10 +125,74 @@ std::string end_of(const ceres::Solver::Summary& summary) {
   return "stopped after " + steps + " before the misfit stopped falling: give it better starts";
 }
 
+/// Where a search came to.
+struct Minimum {
+  Values value;
+  double rms = 0;
+  bool has_converged = false;
+  std::string ended;
+};
+
 double root_mean_square(const Values& values) {
   double squares = 0;
   for (const double value : values) squares += value * value;
   return values.empty() ? 0 : std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+/// Of all residuals there; nothing: they cannot be computed.
+std::optional<double> misfit_at(const Box& box, const Values& at) {
+  Values residuals(box.residuals());
+  if (!box.evaluate(at, residuals.data())) return std::nullopt;
+  return root_mean_square(residuals);
+}
+
+/// A better place to begin: each parameter in turn at seven values from bound to bound, evenly by
+/// factors where they have one sign.
+Values looked_round(const Box& box, const std::vector<FreeParameter>& parameters,
+                    const Values& start, double misfit) {
+  constexpr int looks = 7;
+  constexpr double clearly = 0.99;
+  Values best = start;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const FreeParameter& p = parameters[i];
+    Values at = best;
+    for (int k = 0; k < looks; ++k) {
+      const double share = static_cast<double>(k) / (looks - 1);
+      at[i] = p.low * p.high > 0 ? p.low * std::pow(p.high / p.low, share)
+                                 : p.low + share * (p.high - p.low);
+      at[i] = std::clamp(at[i], p.low, p.high);
+      const auto there = misfit_at(box, at);
+      if (!there || !(*there < clearly * misfit)) continue;
+      misfit = *there;
+      best = at;
+    }
+  }
+  return best;
+}
+
+/// Downhill from a start. Nothing: it came to where the residuals or slopes cannot be computed.
+std::optional<Minimum> minimum_from(const Box& box, const std::vector<FreeParameter>& parameters,
+                                    const Values& start, const FitOptions& options) {
+  Values scaled(start.size());
+  for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] = start[i] / unit_of(parameters[i]);
+  BoxCost cost(box);
+  ceres::Problem::Options owned;
+  owned.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(owned);
+  problem.AddResidualBlock(&cost, nullptr, scaled.data());
+  for (std::size_t i = 0; i < scaled.size(); ++i) {
+    const double unit = unit_of(parameters[i]);
+    problem.SetParameterLowerBound(scaled.data(), static_cast<int>(i), parameters[i].low / unit);
+    problem.SetParameterUpperBound(scaled.data(), static_cast<int>(i), parameters[i].high / unit);
+  }
+  ceres::Solver::Summary summary;
+  ceres::Solve(search_options(options), &problem, &summary);
+  Minimum found{box.physical(scaled.data()), 0, summary.termination_type == ceres::CONVERGENCE,
+                end_of(summary)};
+  const auto misfit = misfit_at(box, found.value);
+  if (summary.termination_type == ceres::FAILURE || !misfit) return std::nullopt;
+  found.rms = *misfit;
+  return found;
 }
 
 /// The inverse of J^T J on what the residuals see of the parameters.
@@ -208,44 +272,36 @@ ParameterFit fit_parameters(const std::vector<FreeParameter>& parameters,
     expects(p.low < p.high && p.start >= p.low && p.start <= p.high,
             "a parameter starts between its bounds");
   const Box box(parameters, place.size(), residuals_of, options.threads);
-  Values scaled(parameters.size());
-  for (std::size_t i = 0; i < scaled.size(); ++i)
-    scaled[i] = parameters[i].start / unit_of(parameters[i]);
-  Values residuals(place.size());
-  ParameterFit fit;
-  fit.residuals = place.size();
-  if (!box.evaluate(box.physical(scaled.data()), residuals.data()))
+  Values start;
+  for (const FreeParameter& p : parameters) start.push_back(p.start);
+  const auto misfit = misfit_at(box, start);
+  if (!misfit)
     throw Error(ErrorKind::not_converged,
                 "nothing can be computed with the values that the fit would start from; give it "
                 "others");
-  fit.rms_before = root_mean_square(residuals);
-
-  BoxCost cost(box);
-  ceres::Problem::Options owned;
-  owned.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(owned);
-  problem.AddResidualBlock(&cost, nullptr, scaled.data());
-  for (std::size_t i = 0; i < scaled.size(); ++i) {
-    const double unit = unit_of(parameters[i]);
-    problem.SetParameterLowerBound(scaled.data(), static_cast<int>(i), parameters[i].low / unit);
-    problem.SetParameterUpperBound(scaled.data(), static_cast<int>(i), parameters[i].high / unit);
+  ParameterFit fit;
+  fit.residuals = place.size();
+  fit.rms_before = *misfit;
+  std::optional<Minimum> found = minimum_from(box, parameters, start, options);
+  if (const Values other = looked_round(box, parameters, start, *misfit); other != start) {
+    const auto also = minimum_from(box, parameters, other, options);
+    constexpr double clearly = 1 - 1e-6;
+    if (also && (!found || also->rms < clearly * found->rms)) found = also;
   }
-  ceres::Solver::Summary summary;
-  ceres::Solve(search_options(options), &problem, &summary);
-  fit.has_converged = summary.termination_type == ceres::CONVERGENCE;
-  fit.ended = end_of(summary);
-
-  const Values value = box.physical(scaled.data());
   RowMajor jacobian(static_cast<Eigen::Index>(place.size()),
                     static_cast<Eigen::Index>(parameters.size()));
-  if (summary.termination_type == ceres::FAILURE || !box.evaluate(value, residuals.data()) ||
-      !box.slopes(value, residuals.data(), jacobian))
+  Values residuals(place.size());
+  if (!found || !box.evaluate(found->value, residuals.data()) ||
+      !box.slopes(found->value, residuals.data(), jacobian))
     throw Error(ErrorKind::not_converged,
-                "the fit found no values with which all can be computed: " + summary.message);
+                "the fit found no values with which all can be computed; give it other starts, or "
+                "fewer parameters");
+  fit.has_converged = found->has_converged;
+  fit.ended = found->ended;
   fit.rms_after = root_mean_square(residuals);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const FreeParameter& p = parameters[i];
-    fit.parameters.push_back({p.name, p.start, p.low, p.high, value[i], {}, false, {}});
+    fit.parameters.push_back({p.name, p.start, p.low, p.high, found->value[i], {}, false, {}});
   }
   judge(parameters, place, jacobian, residuals, fit);
   return fit;

@@ -59,6 +59,10 @@ struct FitOptions {
 /// Least squares of a black box by Levenberg-Marquardt within bounds, slopes by central
 /// differences.
 ///
+/// A misfit of ways and turns has more than one valley: besides from the start it is searched from
+/// the best of seven values of each parameter, one after the other, where one is clearly better,
+/// and the lower of the two ends counts. It need not be the lowest of all.
+///
 /// Plain squares, not robust: a model that is wrong in a part of the rows, a turn, is wrong there
 /// throughout, and a robust loss would leave that part out as if it were noise. Who has outliers
 /// takes them out of the data.
@@ -74,8 +78,8 @@ struct FitOptions {
 /// Source: White, Econometrica 48 (1980), for unlike sizes; Bayley and Hammersley (1946), memory.
 ///
 /// @param place  of each residual
-/// @throws Error(not_converged) where the residuals cannot be computed at the start, or nowhere
-/// that the search went
+/// @throws Error(not_converged) where the residuals cannot be computed at the start, or where the
+/// search ends
 [[nodiscard]] ParameterFit fit_parameters(const std::vector<FreeParameter>& parameters,
                                           const std::vector<ResidualPlace>& place,
                                           const ResidualsOf& residuals_of,

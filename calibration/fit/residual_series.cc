@@ -28,12 +28,20 @@ double repeats_itself(std::span<const double> residuals) {
       std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
   if (!(squares > 0)) return 1;
   const double none = 2 / std::sqrt(static_cast<double>(n));
-  double times = 1;
-  for (std::size_t lag = 1; lag <= n / 2; ++lag) {
+  double times = 1, last = 0;
+  std::size_t lags = 0;
+  while (lags < n / 2) {
     double product = 0;
-    for (std::size_t i = lag; i < n; ++i) product += residuals[i] * residuals[i - lag];
+    for (std::size_t i = lags + 1; i < n; ++i) product += residuals[i] * residuals[i - lags - 1];
     if (!(product / squares > none)) break;
-    times += 2 * product / squares;
+    last = product / squares;
+    times += 2 * last;
+    ++lags;
+  }
+  if (lags > 0) {
+    // What is lost in the noise goes on falling as it fell so far.
+    const double falls = std::pow(last, 1 / static_cast<double>(lags));
+    times += 2 * last * falls / (1 - falls);
   }
   return std::clamp(times, 1.0, static_cast<double>(n));
 }

@@ -21,7 +21,8 @@ struct ResidualPlace {
 /// with rho_l their correlation at a lag of l, about zero and not about their mean, so that a bias
 /// counts as memory. Summed up to the first lag that lies within two standard errors of none,
 /// 2/sqrt(n) (Bartlett 1946), so that white noise keeps its full number, and to half of them at
-/// most. Of first-order autoregressive noise it is (1 + c)/(1 - c). Needs about even steps in time.
+/// most; beyond that they fall on geometrically. Of first-order autoregressive noise it is
+/// (1 + c)/(1 - c). Needs about even steps in time.
 /// Source: Bayley and Hammersley, The "effective" number of independent observations in an
 /// autocorrelated time series, Suppl. J. R. Stat. Soc. 8 (1946).
 /// @return from 1 to n; 1 for residuals that are all 0. Cost: n times the lags.
