@@ -110,7 +110,7 @@ ceres::Solver::Options search_options(const FitOptions& fit) {
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = fit.most_steps;
   options.max_num_consecutive_invalid_steps = 20;
-  options.function_tolerance = 1e-10;
+  options.function_tolerance = 1e-8;
   options.parameter_tolerance = 1e-9;
   options.gradient_tolerance = 1e-14;
   options.num_threads = 1;
@@ -305,16 +305,6 @@ ParameterFit fit_parameters(const std::vector<FreeParameter>& parameters,
   }
   judge(parameters, place, jacobian, residuals, fit);
   return fit;
-}
-
-std::vector<std::string> words_of_bounds(const ParameterFit& fit) {
-  std::vector<std::string> words;
-  for (const FittedParameter& p : fit.parameters)
-    if (p.ended_on != EndedOn::neither)
-      words.push_back(formatted("{} ended on its {} bound of {:g}", p.name,
-                                p.ended_on == EndedOn::low ? "lower" : "upper",
-                                p.ended_on == EndedOn::low ? p.low : p.high));
-  return words;
 }
 
 }  // namespace slackwater::calibration

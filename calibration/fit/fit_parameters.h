@@ -85,7 +85,4 @@ struct FitOptions {
                                           const ResidualsOf& residuals_of,
                                           const FitOptions& options = {});
 
-/// "damping.X_u ended on its upper bound of -7.75", of those that did.
-[[nodiscard]] std::vector<std::string> words_of_bounds(const ParameterFit& fit);
-
 }  // namespace slackwater::calibration

@@ -190,7 +190,6 @@ TEST(FitParameters, OneThatEndsOnItsBoundIsNamed) {
                                           });
   EXPECT_EQ(fit.parameters[0].value, 3);
   EXPECT_EQ(fit.parameters[0].ended_on, EndedOn::high);
-  EXPECT_EQ(words_of_bounds(fit), std::vector<std::string>{"level ended on its upper bound of 3"});
 }
 
 TEST(FitParameters, GoesRoundWhatCannotBeComputedAndSaysSoAtTheStart) {

@@ -5,7 +5,7 @@
 
 #include "fields/base/constants.h"
 #include "fields/base/numbers/random.h"
-#include "twin/handling/replayed.h"
+#include "twin/handling/trial_error.h"
 
 namespace slackwater::tests {
 
@@ -43,16 +43,12 @@ inline twin::Trial made_by(const twin::Vehicle& vehicle, twin::Trial trial,
 inline twin::Trial with_noise(twin::Trial trial, double share, double correlation,
                               std::uint64_t seed) {
   for (twin::TrialColumn& column : trial.measured) {
-    double least = column.value.front(), most = least;
-    for (const double value : column.value) {
-      least = std::min(least, value);
-      most = std::max(most, value);
-    }
+    const double range = twin::range_of(column);
     Rng rng(seed, twin::name_of(column.quantity));
     double off = rng.normal();
     for (std::size_t row = 1; row < column.value.size(); ++row) {
       off = correlation * off + std::sqrt(1 - correlation * correlation) * rng.normal();
-      column.value[row] += share * (most - least) * off;
+      column.value[row] += share * range * off;
     }
   }
   return trial;
