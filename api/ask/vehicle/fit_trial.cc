@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "api/ask/vehicle/scalar_keys.h"
 #include "fields/base/advice.h"
 #include "fields/base/config.h"
+#include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "fields/base/text.h"
 #include "twin/run/printable.h"

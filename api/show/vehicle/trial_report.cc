@@ -1,6 +1,7 @@
 #include "api/show/vehicle/trial_report.h"
 
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "fields/base/constants.h"
@@ -187,11 +188,11 @@ std::string fit_text(const TrialFit& fit) {
         formatted("Fitted to one row of {}: the trial has more than are needed.\n", fit.every_row);
   text += words_of_pairs(fit);
   const std::string yaml = fitted_yaml(fit);
-  text +=
-      yaml.empty()
-          ? "The trial determines none of them: keep the numbers of the file.\n"
-          : "The file stays as it is. To take over what the trial determines, put into it:\n\n" +
-                yaml;
+  text += yaml.empty() ? "The trial determines none of them: keep the numbers of the file.\n"
+                       : "The file stays as it is. To take over what the trial determines, write "
+                         "these numbers over "
+                         "those of the same keys:\n\n" +
+                             yaml;
   return text;
 }
 

@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "fields/base/constants.h"
 #include "fields/base/error.h"
 #include "tests/support/error_of.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/vehicle_for_tests.h"
+#include "twin/body/actuator_values.h"
 #include "twin/handling/trial_error.h"
 
 namespace slackwater::api::read_trial_test {
