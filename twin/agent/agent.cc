@@ -189,6 +189,22 @@ void watch_depth(const Agent& agent, const Reference& reference, double t_s, Age
   note_depth(state.milestones, agent.depth_bound_m, wanted_m, state.vehicle.body.position_m.z, t_s);
 }
 
+/// One whose tasks have manoeuvres: while a helm is put over, the autopilot has it no more. Never
+/// made part of its caller: of all others the step stays as short as it is.
+[[gnu::noinline]] void command_manoeuvring(const Agent& agent, const Measured& measured,
+                                           const Reference& reference, const ThrustersMeet& meet,
+                                           const Surroundings<double>& around, AgentState& state,
+                                           VehicleCommand<double>& command) {
+  const ControlState before = state.control;
+  const Effort effort =
+      effort_of(*agent.autopilot, measured, reference, agent.plan.dt_s, state.control);
+  command_effort(*agent.vehicle, effort, meet, command);
+  if (command_by_table(agent, around, state, command)) return;
+  const auto by_helm = command_by_helm(agent, effort, before, meet, state, command);
+  note_thrust(agent.autopilot->allocation, by_helm ? *by_helm : effort, agent.plan.dt_s,
+              state.thrust);
+}
+
 /// Asks helm or mission, the watch for headway and the autopilot.
 /// @return false where the agent halts
 bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measured& measured,
@@ -205,19 +221,18 @@ bool command_by_autopilot(const Agent& agent, const Lookout& seen, const Measure
     return false;
   }
   if (has_power) watch_depth(agent, reference, t_s, state);
-  const bool has_manoeuvres = !agent.mission.manoeuvres.empty();
-  const ControlState before = has_manoeuvres ? state.control : ControlState{};
-  const Effort effort =
-      effort_of(*agent.autopilot, asked.measured, reference, agent.plan.dt_s, state.control);
   const Rotation<double> r = rotation_of(state.vehicle.body.attitude);
   const ThrustersMeet meet{measured.nu.linear - r.to_body(measured.water_m_s),
                            state.vehicle.bus_voltage_v, around.height_above_m};
+  if (!agent.mission.manoeuvres.empty()) {
+    command_manoeuvring(agent, asked.measured, reference, meet, around, state, command);
+    return true;
+  }
+  const Effort effort =
+      effort_of(*agent.autopilot, asked.measured, reference, agent.plan.dt_s, state.control);
   command_effort(*agent.vehicle, effort, meet, command);
-  if (command_by_table(agent, around, state, command)) return true;
-  const auto by_helm =
-      has_manoeuvres ? command_by_helm(agent, effort, before, meet, state, command) : std::nullopt;
-  note_thrust(agent.autopilot->allocation, by_helm ? *by_helm : effort, agent.plan.dt_s,
-              state.thrust);
+  if (!command_by_table(agent, around, state, command))
+    note_thrust(agent.autopilot->allocation, effort, agent.plan.dt_s, state.thrust);
   return true;
 }
 
