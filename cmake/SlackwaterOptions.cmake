@@ -80,9 +80,10 @@ if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT SLACKWATER_SANITIZE AND NOT SLACKWA
     add_compile_options(-fcf-protection=full)
   endif()
   add_link_options(-Wl,-z,relro -Wl,-z,now)
-  # Steps of the twin take 3 % longer by it (median of twelve figures of slackwater_twin_bench; 8 %
-  # of an x500 in a batch). The kernels do without: they are given numbers of ours, no bytes of
-  # others. Guards on every stack with an array (-strong) would be another 1 %.
+  # Steps of the twin take up to 7 % longer by it (an x500 in a batch of slackwater_twin_bench; 1 to
+  # 2 % in the median of its figures). The kernels, and the folders that a room says only calculate,
+  # do without: they are given numbers of ours, no bytes of others. Guards on every stack with an
+  # array (-strong) would be another 1 %.
   set(SLACKWATER_KERNEL_OPTIONS -U_GLIBCXX_ASSERTIONS -fno-stack-protector
       -fno-stack-clash-protection -fcf-protection=none)
 endif()
@@ -112,6 +113,14 @@ set(SLACKWATER_PRECOMPILED <algorithm> <array> <chrono> <cmath> <complex> <files
 add_library(slackwater_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cc)
 target_link_libraries(slackwater_precompiled PRIVATE slackwater_options slackwater_lib_eigen)
 target_precompile_headers(slackwater_precompiled PRIVATE ${SLACKWATER_PRECOMPILED})
+if(SLACKWATER_KERNEL_OPTIONS)
+  # GCC takes a precompiled header for the same flags alone.
+  add_library(slackwater_precompiled_unguarded OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cc)
+  target_link_libraries(slackwater_precompiled_unguarded
+                        PRIVATE slackwater_options slackwater_lib_eigen)
+  target_compile_options(slackwater_precompiled_unguarded PRIVATE ${SLACKWATER_KERNEL_OPTIONS})
+  target_precompile_headers(slackwater_precompiled_unguarded PRIVATE ${SLACKWATER_PRECOMPILED})
+endif()
 
 # slackwater_unity(<target> <sources>)
 #
@@ -139,18 +148,34 @@ function(slackwater_unity target)
 endfunction()
 
 # slackwater_room(<name> [FOLDER <folder>] [LINK <public targets>] [PRIVATE <private targets>]
-#                 [PRECOMPILE <headers> | REUSE <room>])
+#                 [PRECOMPILE <headers> | REUSE <room>] [CALCULATES <folders>])
 #
 # One static library per room, from every .cc below the folder, under the name slackwater::<name>.
 # REUSE takes the precompiled headers of another room, PRECOMPILE makes its own with more in them.
+# Folders that calculate are compiled as kernels are: see SLACKWATER_KERNEL_OPTIONS.
 function(slackwater_room name)
-  cmake_parse_arguments(ROOM "" "FOLDER;REUSE" "LINK;PRIVATE;EXCLUDE;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ROOM "" "FOLDER;REUSE" "LINK;PRIVATE;EXCLUDE;PRECOMPILE;CALCULATES" ${ARGN})
   set(ROOM_FOLDER ${CMAKE_CURRENT_SOURCE_DIR}/${ROOM_FOLDER})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${ROOM_FOLDER}/*.cc)
   foreach(pattern ${ROOM_EXCLUDE})
     list(FILTER sources EXCLUDE REGEX ${pattern})
   endforeach()
-  add_library(slackwater_${name} STATIC ${sources})
+  set(objects)
+  if(SLACKWATER_KERNEL_OPTIONS AND ROOM_CALCULATES)
+    list(JOIN ROOM_CALCULATES "|" folders)
+    set(calculating ${sources})
+    list(FILTER calculating INCLUDE REGEX "^${ROOM_FOLDER}/(${folders})/")
+    list(REMOVE_ITEM sources ${calculating})
+    add_library(slackwater_${name}_calculating OBJECT ${calculating})
+    target_link_libraries(slackwater_${name}_calculating
+                          PRIVATE slackwater_options ${ROOM_LINK} ${ROOM_PRIVATE})
+    target_compile_options(slackwater_${name}_calculating PRIVATE ${SLACKWATER_KERNEL_OPTIONS})
+    target_precompile_headers(slackwater_${name}_calculating
+                              REUSE_FROM slackwater_precompiled_unguarded)
+    slackwater_unity(slackwater_${name}_calculating ${calculating})
+    set(objects $<TARGET_OBJECTS:slackwater_${name}_calculating>)
+  endif()
+  add_library(slackwater_${name} STATIC ${sources} ${objects})
   add_library(slackwater::${name} ALIAS slackwater_${name})
   target_link_libraries(slackwater_${name} PUBLIC slackwater_options ${ROOM_LINK}
                         PRIVATE ${ROOM_PRIVATE})
