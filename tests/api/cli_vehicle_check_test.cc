@@ -81,6 +81,37 @@ TEST(VehicleCheckCommand, IsReadByPeopleForEveryVehicleOfTheCatalogue) {
   }
 }
 
+/// A turn of Fossen's Otter, whose numbers the file has; the tolerances are those of
+/// tests/twin/held_against.
+TEST(VehicleCheckCommand, IsHeldAgainstATrialAndFittedToIt) {
+  SLACKWATER_NEEDS_SHARED(shared);
+  const StoreForTests made;
+  const std::string trial = (shared / "data/fossen/otter_turn_100_80.csv").string();
+  const ProgramResult run = made.run({"vehicle", "check", "otter", "--against", trial, "--fit",
+                                      "damping.N_r", "--html", made.path("otter.html"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json out = json::parse(run.out);
+  for (const json& error : out.at("trial").at("errors"))
+    if (error.at("quantity") == "u_m_s" || error.at("quantity") == "r_rad_s")
+      EXPECT_LT(error.at("rms_of_range").get<double>(), 0.05) << error.dump(2);
+  const json& fit = out.at("fit");
+  EXPECT_EQ(fit.at("keys").at(0).at("key"), "damping.N_r");
+  EXPECT_LE(fit.at("rms_after").get<double>(), fit.at("rms_before").get<double>());
+  EXPECT_FALSE(fit.at("keys").at(0).at("standard_deviation").is_null());
+  EXPECT_NE(read_bytes(made.path("otter.html")).find("Beside a trial"), std::string::npos);
+}
+
+TEST(VehicleCheckCommand, RefusesATrialThatItCannotRead) {
+  const StoreForTests made;
+  EXPECT_EQ(made.run({"vehicle", "check", "otter", "--fit", "damping.N_r"}).exit_code, 2);
+  const ProgramResult odd = made.run(
+      {"vehicle", "check", "otter", "--against", made.write("odd.csv", "t_s,left_rad_s\n0,1\n")});
+  EXPECT_EQ(odd.exit_code, 3);
+  EXPECT_NE(odd.err.find("odd.csv:"), std::string::npos) << odd.err;
+  EXPECT_EQ(made.run({"vehicle", "check", "otter", "--against", made.path("none.csv")}).exit_code,
+            4);
+}
+
 TEST(VehicleCheckCommand, RefusesWhatNoRunTakes) {
   const StoreForTests made;
   const ProgramResult unknown = made.run({"vehicle", "check", "nemo"});

@@ -79,7 +79,8 @@ std::string manoeuvres_html(const VehicleCheck& check) {
 
 }  // namespace
 
-std::string check_page_html(const VehicleCheck& check, std::string_view plotting_library) {
+std::string check_page_html(const VehicleCheck& check, std::string_view beside_trial,
+                            std::string_view plotting_library) {
   HtmlPage page;
   page.title = "Check of " + check.vehicle.name;
   page.site = check.file.filename().string();
@@ -98,7 +99,10 @@ std::string check_page_html(const VehicleCheck& check, std::string_view plotting
                   "From where the helm was put over, its course then upwards (m).") +
         plot_html("zigzag", "Zig-zags",
                   "Heading from the course at the first helm (degrees), s since then.");
-  page.tables_html = manoeuvres_html(check);
+  if (!beside_trial.empty())
+    page.tables_html = "<section><h2>Beside a trial</h2><pre>" +
+                       escaped_html(std::string(beside_trial)) + "</pre></section>\n";
+  page.tables_html += manoeuvres_html(check);
   for (const ReportTable& table : check_tables(check)) page.tables_html += table_html(table);
   page.data_json = script_safe(data_json(check));
   page.script = vehicle_script();
