@@ -7,7 +7,7 @@
 #include "api/door/cli/output_file.h"
 #include "api/door/cli/sea/morning_of_forecast.h"
 #include "api/door/morning/make_morning.h"
-#include "api/pipeline/ingest/downloads.h"
+#include "api/pipeline/fetch/download_lines.h"
 #include "api/pipeline/issue_forecast.h"
 #include "api/pipeline/job_summary.h"
 #include "api/program/paths.h"
@@ -44,14 +44,6 @@ struct ForecastArguments {
   std::string history;
   MorningAsked morning;
 };
-
-/// The least is what the tide needs, the most what the archives of forecasts hold.
-Duration history_from(const std::string& text) {
-  const Duration history = option_value("--history", text, parse_duration);
-  if (history < days(3) || history > days(730))
-    throw Error(ErrorKind::usage, "found --history " + text + ", expected 3d to 730d");
-  return history;
-}
 
 void print_calibration(const calibration::ColumnForecast& column) {
   if (column.calibration() == nullptr) {

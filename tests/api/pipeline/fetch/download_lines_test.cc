@@ -1,13 +1,12 @@
 // What `forecast --print-downloads` tells people to fetch. Oracle: the published domains and masks
 // of the products, cited in data/products.
-#include "api/pipeline/ingest/downloads.h"
+#include "api/pipeline/fetch/download_lines.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <regex>
 
-#include "api/pipeline/ingest/gfs_download.h"
 #include "ingest/cf/dataset_period.h"
 #include "tests/support/contains.h"
 #include "tests/support/shared_data.h"
