@@ -84,6 +84,13 @@ store::Store Context::open(store::OpenMode mode) const {
   return store::Store::open(store_folder, mode);
 }
 
+Duration history_from(const std::string& text) {
+  const Duration history = option_value("--history", text, parse_duration);
+  if (history < std::chrono::days(3) || history > std::chrono::days(730))
+    throw Error(ErrorKind::usage, "found --history " + text + ", expected 3d to 730d");
+  return history;
+}
+
 Duration horizon_from(const std::string& text) {
   const Duration horizon = option_value("--horizon", text, parse_duration);
   if (horizon < std::chrono::hours(1) || horizon > std::chrono::days(15)) {
@@ -136,6 +143,7 @@ int run_command_line(int argc, const char* const* argv) {
       "A day at a site:  slackwater ingest FILES…  then  slackwater forecast --site S  then\n"
       "                  slackwater profile --site S --time 2025-03-10T06:00:00Z");
   add_ingest(app, context);
+  add_fetch(app, context);
   add_forecast(app, context);
   add_hindcast(app, context);
   add_profile(app, context);

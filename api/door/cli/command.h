@@ -51,6 +51,8 @@ template <typename Parse>
 
 /// `--horizon`: 1 hour to 15 days.
 [[nodiscard]] Duration horizon_from(const std::string& text);
+/// `--history`: 3 days, which the tide needs, to the 730 that archives of forecasts hold.
+[[nodiscard]] Duration history_from(const std::string& text);
 
 /// Parses and runs a command line; prints results on stdout, trouble on stderr. @return the exit
 /// code.
@@ -58,6 +60,7 @@ int run_command_line(int argc, const char* const* argv);
 
 // One file each in api/door/cli; each adds its subcommand to the app.
 void add_ingest(CLI::App& app, Context& context);
+void add_fetch(CLI::App& app, Context& context);
 void add_forecast(CLI::App& app, Context& context);
 void add_hindcast(CLI::App& app, Context& context);
 void add_profile(CLI::App& app, Context& context);

@@ -118,9 +118,10 @@ void add_vehicle(CLI::App& app, Context& context) {
   command->add_option("--first-depth", arguments->first_depth_m,
                       "m, where a trial began whose down counts from elsewhere");
   command
-      ->add_option("--fit", arguments->fit,
-                   "KEY,KEY...: numbers of the file to be fitted to the trial; the file stays as it "
-                   "is")
+      ->add_option(
+          "--fit", arguments->fit,
+          "KEY,KEY...: numbers of the file to be fitted to the trial; the file stays as it "
+          "is")
       ->delimiter(',');
   command->add_option("--threads", arguments->threads, "of a fit, 1 to 64 (default 2)")
       ->check(CLI::Range(1, 64));

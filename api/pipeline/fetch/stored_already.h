@@ -1,0 +1,12 @@
+#pragma once
+#include "api/pipeline/fetch/wanted_files.h"
+#include "data/store/store.h"
+
+namespace slackwater::api {
+
+/// Leaves out of what is wanted the days that the store holds already, from the first on: a file of
+/// a day goes on to be asked for while its product may still better it, three days.
+void leave_out_stored(store::Store& store, const Site& site, UtcDay day,
+                      std::vector<WantedFile>& wanted);
+
+}  // namespace slackwater::api
