@@ -36,7 +36,8 @@ struct WantedFile {
 };
 
 /// Of each kind, in this order: currents, level, waves, bathymetry, wind of the past, wind
-/// forecast. Of Copernicus Marine the dataset with tide, else the finest, that has water at the site.
+/// forecast. Of Copernicus Marine the dataset with tide, else the finest, that has water at the
+/// site.
 [[nodiscard]] std::vector<WantedFile> wanted_files(const ingest::ProductCatalogue& products,
                                                    const Site& site, const WantedTimes& wanted);
 
