@@ -11,12 +11,11 @@ class StopSignals {
     // Whoever reads our log may go; writing to nobody must not end the server.
     std::signal(SIGPIPE, SIG_IGN);
     sigemptyset(&set_);
-    for (const int signal : {SIGINT, SIGTERM})
-      if (!is_ignored(signal)) sigaddset(&set_, signal);
+    sigaddset(&set_, SIGINT);
+    sigaddset(&set_, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &set_, nullptr);
     waiting_ = pthread_self();
-    for (const int signal : {SIGINT, SIGTERM})
-      if (sigismember(&set_, signal) == 1) std::signal(signal, hand_on);
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, hand_on);
   }
   void wait() const {
     int signal = 0;
@@ -24,11 +23,6 @@ class StopSignals {
   }
 
  private:
-  /// As a shell has it for what a script runs in the background: Ctrl-C is meant for others.
-  static bool is_ignored(int signal) {
-    struct sigaction now {};
-    return ::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
-  }
   static void hand_on(int signal) { pthread_kill(waiting_, signal); }
 
   static inline pthread_t waiting_{};
