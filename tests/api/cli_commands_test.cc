@@ -308,7 +308,7 @@ TEST_F(Commands, PrintDownloadsGivesExactSubsetLinesAndTouchesNothing) {
     const auto text = line.get<std::string>();
     if (text.rfind("#", 0) == 0) continue;
     if (contains(text, "nomads.ncep.noaa.gov"))
-      ++loops;  // of the wind forecast: tests/api/pipeline/downloads_test.cc
+      ++loops;  // of the wind forecast: tests/api/pipeline/fetch/download_lines_test.cc
     else
       EXPECT_TRUE(std::regex_match(text, form)) << text;
     commands += text + "\n";
