@@ -325,6 +325,39 @@ TEST_F(Fetch, SaysWhatIsNotOutYetAndWhenItWillBe) {
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), asked_before + 25 - 2);
 }
 
+/// ECMWF's package by another one of its name: its own server is down, a mirror has the run.
+TEST_F(Fetch, AsksAnotherModelWhereTheFirstIsNotOut) {
+  plan("wind_forecast", "not_out\n");
+  const std::filesystem::path package = store_.file("python/ecmwf/opendata");
+  std::filesystem::create_directories(package);
+  std::ofstream(package / "__init__.py") << R"(
+import shutil
+from datetime import datetime
+class Client:
+    def __init__(self, source):
+        self.source = source
+    def latest(self, **request):
+        if self.source == "ecmwf":
+            raise RuntimeError("503 Server Error: Service Unavailable")
+        assert request["step"] % 3 == 0 and request["type"] == "fc"
+        return datetime(2025, 3, 10)
+    def retrieve(self, date, time, type, step, param, target):
+        assert (date, time, type, param) == ("2025-03-10", 0, "fc", ["10u", "10v"])
+        assert step == list(range(0, 73, 3)), step
+        shutil.copy(")" << (bin_ / "good/wind_forecast").string()
+                                         << "\", target)\n";
+  std::string yaml = read_bytes(source_folder() / "data/fetchers/ecmwf.yaml");
+  yaml.replace(yaml.find("{here}"), 6, (source_folder() / "data/fetchers").string());
+  yaml.replace(yaml.find("[HOME,"), 6, "[PYTHONPATH, HOME,");
+  std::ofstream(store_.file("config/slackwater/fetchers/ecmwf.yaml")) << yaml;
+  std::map<std::string, std::string> with_package = environment();
+  with_package["PYTHONPATH"] = store_.path("python");
+  const ProgramResult run = run_program(command({"--json"}), with_package);
+  const json wind = json::parse(run.out).at("files").at(5);
+  EXPECT_EQ(wind.at("state"), "fetched") << wind.dump(2);
+  EXPECT_EQ(wind.at("by"), "ecmwf");
+}
+
 TEST_F(Fetch, EndsWhatHangsAndWhatDies) {
   plan("currents", "hangs\n");
   plan("waves", "dies\n");

@@ -154,8 +154,8 @@ bool Fetching::by(const Fetcher& fetcher, const WantedFile& wanted, FetchOutcome
                       (attempt > 1 ? formatted(", try {}", attempt) : std::string()));
     std::error_code problem;
     std::filesystem::remove(target, problem);
-    out.trouble = wanted.addresses.empty() ? request(fetcher, wanted, target, "", out)
-                                           : steps(fetcher, wanted, target, out);
+    out.trouble = fetcher.is_asked_by_step() ? steps(fetcher, wanted, target, out)
+                                             : request(fetcher, wanted, target, "", out);
     if (!out.trouble) {
       const Arrived arrived = look_into(target, wanted, products_, site_, part("scratch"));
       if (arrived.fault.empty()) {
@@ -188,33 +188,35 @@ FetchOutcome Fetching::fetch(const WantedFile& wanted) {
     out.state = FetchState::here;
     return out;
   }
-  bool is_served = false;
+  std::vector<std::string> whys;
+  bool is_not_out = false;
   for (const Fetcher& fetcher : fetchers_) {
     if (!fetcher.fetches(wanted.kind)) continue;
-    is_served = true;
     if (choice_.is_dry) {
       out.state = FetchState::none;
       out.by = fetcher.id;
       out.why = "would be fetched";
       return out;
     }
+    out.trouble = Trouble::stopped;
+    out.why = "there was no time left for it";
     if (by(fetcher, wanted, out)) return out;
+    whys.push_back(fetcher.id + ": " + out.why);
+    is_not_out = is_not_out || *out.trouble == Trouble::updating;
     if (is_over()) break;
   }
-  if (!is_served) out.why = "no fetcher serves it: see fetchers/ in the data folder";
-  out.state = FetchState::failed;
-  if (!out.trouble) {
-    out.trouble = is_served && is_over() ? Trouble::stopped : Trouble::unknown;
-    if (out.why.empty()) out.why = "there was no time left for it";
+  if (whys.empty()) {
+    whys.emplace_back("no fetcher serves it: see fetchers/ in the data folder");
+    out.trouble = Trouble::refused;
   }
-  if (note) {
+  if (is_not_out) out.trouble = Trouble::updating;
+  out.state = is_not_out ? FetchState::late : FetchState::failed;
+  out.why = joined(whys, "; ");
+  std::error_code problem;
+  if (note)
     out.why += "; that of " + format_utc(note->fetched_at) + " is still there";
-    if (*out.trouble == Trouble::updating) out.state = FetchState::late;
-  } else {
-    std::error_code problem;
-    if (!std::filesystem::exists(out.file, problem)) out.file.clear();
-    if (*out.trouble == Trouble::updating) out.state = FetchState::late;
-  }
+  else if (!std::filesystem::exists(out.file, problem))
+    out.file.clear();
   return out;
 }
 

@@ -36,7 +36,7 @@ constexpr std::array all_troubles{
 Trouble trouble_named(const Config& message) {
   const std::string name = message.text("means");
   std::vector<std::string> known;
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(Trouble::memory); ++i) {
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(Trouble::not_installed); ++i) {
     if (name == all_troubles[i].name) return static_cast<Trouble>(i);
     known.emplace_back(all_troubles[i].name);
   }
@@ -58,8 +58,8 @@ std::chrono::milliseconds seconds(const Config& config, const char* key,
 /// What stands for a word in braces; none: the argument is left out.
 using Words = std::map<std::string, std::vector<std::string>>;
 
-Words words_for(const WantedFile& wanted, const std::filesystem::path& target,
-                const std::string& address) {
+Words words_for(const Fetcher& fetcher, const WantedFile& wanted,
+                const std::filesystem::path& target, const std::string& address) {
   Words words;
   const auto put = [&](const char* word, const std::string& value) {
     words[word];
@@ -80,6 +80,7 @@ Words words_for(const WantedFile& wanted, const std::filesystem::path& target,
   put("to", wanted.to ? compact_time(*wanted.to) : "");
   put("run", wanted.run ? compact_time(*wanted.run) : "");
   put("address", address);
+  put("here", fetcher.folder.string());
   put("folder", target.parent_path().string());
   put("file", target.filename().string());
   put("target", target.string());
@@ -95,7 +96,7 @@ std::pair<std::size_t, std::string> word_in(const std::string& argument) {
 }
 
 void expect_words(const Config& config, const std::vector<std::string>& arguments) {
-  const Words known = words_for({}, "folder/file", "");
+  const Words known = words_for({}, {}, "folder/file", "");
   std::vector<std::string> names;
   for (const auto& [name, values] : known) names.push_back("{" + name + "}");
   for (const std::string& argument : arguments)
@@ -116,6 +117,12 @@ bool is_passing(Trouble trouble) noexcept {
 
 bool Fetcher::fetches(const std::string& kind) const {
   return std::find(serves.begin(), serves.end(), kind) != serves.end();
+}
+
+bool Fetcher::is_asked_by_step() const {
+  return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+    return argument.find("{address}") != std::string::npos;
+  });
 }
 
 Fetcher read_fetcher(const Config& config) {
@@ -151,6 +158,7 @@ std::vector<Fetcher> known_fetchers(const std::filesystem::path& data_folder,
     std::sort(files.begin(), files.end());
     for (const std::filesystem::path& file : files) {
       Fetcher fetcher = read_fetcher(Config::load(file));
+      fetcher.folder = folder;
       by_id[fetcher.id] = std::move(fetcher);
     }
   };
@@ -165,7 +173,7 @@ std::vector<Fetcher> known_fetchers(const std::filesystem::path& data_folder,
 
 FetchRequest request_for(const Fetcher& fetcher, const WantedFile& wanted,
                          const std::filesystem::path& target, const std::string& address) {
-  const Words words = words_for(wanted, target, address);
+  const Words words = words_for(fetcher, wanted, target, address);
   FetchRequest request{{fetcher.program}, target};
   for (const std::string& argument : fetcher.arguments) {
     const auto [at, word] = word_in(argument);

@@ -34,6 +34,7 @@ enum class Trouble {
 /// A program that fetches files, as its YAML file in `fetchers/` describes it.
 struct Fetcher {
   std::string id;
+  std::filesystem::path folder;     ///< of its file: `{here}`
   std::vector<std::string> serves;  ///< kinds of `WantedFile`
   int order = 50;                   ///< those of a kind are tried in this order
   std::string program;
@@ -52,6 +53,8 @@ struct Fetcher {
   std::vector<Message> messages;
 
   [[nodiscard]] bool fetches(const std::string& kind) const;
+  /// Whether a request of it is for a step of a forecast (`{address}`), or for all of it.
+  [[nodiscard]] bool is_asked_by_step() const;
 };
 
 /// Throws Error(invalid_input) with file and line.
