@@ -23,7 +23,8 @@ std::size_t check_pieces(Intake::Payload bytes) {
 
 void check_sound(Intake::Payload bytes, const Datagram& read) {
   fuzz::claim(check_pieces(bytes) > 0 == read.has_pieces, "pieces that are told of otherwise");
-  if (read.lease) fuzz::claim(read.lease->at + 4 <= bytes.size(), "a lease beyond its datagram");
+  for (std::size_t k = 0; k < read.leases; ++k)
+    fuzz::claim(read.lease[k].at + 4 <= bytes.size(), "a lease beyond its datagram");
 }
 
 /// What the library sees is what came, but for the seconds of a lease.
@@ -32,13 +33,16 @@ void check_let_in(Intake::Payload bytes, const Datagram& read, Intake::Payload l
   fuzz::claim(read.fault.empty(), "what is faulty is let in");
   fuzz::claim(let_in.size() == bytes.size(), "another length is let in");
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const bool is_lease = read.lease && i >= read.lease->at && i < read.lease->at + 4;
+    bool is_lease = false;
+    for (std::size_t k = 0; k < read.leases; ++k)
+      is_lease = is_lease || (i >= read.lease[k].at && i < read.lease[k].at + 4);
     fuzz::claim(is_lease || bytes[i] == let_in[i], "other octets are let in");
   }
-  if (read.lease) {
+  if (read.leases > 0) {
     const auto again = read_datagram(let_in);
-    fuzz::claim(again.fault.empty() && again.lease && again.lease->at == read.lease->at,
-                "a shorter lease makes another datagram");
+    fuzz::claim(
+        again.fault.empty() && again.leases == read.leases && again.lease[0].at == read.lease[0].at,
+        "a shorter lease makes another datagram");
   }
 }
 

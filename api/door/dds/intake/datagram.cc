@@ -176,8 +176,6 @@ class Reading {
     const auto payload = part.body.rest();
     if ((has_sample || has_key) && payload.size() < 4) return "a sample of nothing";
     if (head.writer == announcing_writer) {
-      // The lease of one alone is looked at.
-      if (is_announced_) return "two announcements";
       is_announced_ = true;
       return has_sample ? read_announcement(part, payload) : std::string_view{};
     }
@@ -193,8 +191,9 @@ class Reading {
     if (!told.is_list) return no_list;
     if (!told.is_of_sender) return "an announcement of another participant";
     if (told.lease_at) {
+      if (made_.leases == Datagram::most_leases) return "announcements without end";
       const std::size_t before = part.at + part.body.at();
-      made_.lease = Datagram::Lease{before + *told.lease_at, told.is_little_endian};
+      made_.lease[made_.leases++] = {before + *told.lease_at, told.is_little_endian};
     }
     return {};
   }

@@ -28,12 +28,14 @@ struct Datagram {
   std::size_t discovery_bytes = 0;  ///< of what it says of its readers and writers
   std::uint64_t skipped = 0;        ///< samples that are said never to come (GAP)
   bool has_pieces = false;
-  /// Where the seconds of an announcement's lease stand.
+  /// Where the seconds of an announcement's lease stand. A peer may say it again in one datagram.
   struct Lease {
     std::size_t at = 0;
     bool is_little_endian = true;
   };
-  std::optional<Lease> lease;
+  static constexpr std::size_t most_leases = 4;
+  std::array<Lease, most_leases> lease{};
+  std::size_t leases = 0;
 };
 
 /// Beyond these, a claim is none that a peer of ours makes. Fast DDS 2.9.1 counts up to a number

@@ -9,17 +9,22 @@ namespace {
 /// for: what is made up does not stay.
 constexpr std::uint32_t most_lease_s = 100;
 
-/// A copy with a shorter lease, where it asks for a longer one.
-Intake::Payload with_short_lease(Intake::Payload bytes, const Datagram::Lease& lease,
-                                 Intake::Bytes& changed) {
-  const auto place = [&](unsigned i) { return lease.at + (lease.is_little_endian ? i : 3 - i); };
-  std::uint32_t asked_s = 0;
-  for (unsigned i = 0; i < 4; ++i) asked_s |= std::uint32_t{bytes[place(i)]} << (8 * i);
-  if (asked_s <= most_lease_s) return bytes;
-  changed.assign(bytes.begin(), bytes.end());
-  for (unsigned i = 0; i < 4; ++i)
-    changed[place(i)] = static_cast<std::uint8_t>(most_lease_s >> (8 * i));
-  return changed;
+/// A copy with shorter leases, where it asks for longer ones.
+Intake::Payload with_short_leases(Intake::Payload bytes, const Datagram& datagram,
+                                  Intake::Bytes& changed) {
+  bool is_changed = false;
+  for (std::size_t k = 0; k < datagram.leases; ++k) {
+    const Datagram::Lease& lease = datagram.lease[k];
+    const auto place = [&](unsigned i) { return lease.at + (lease.is_little_endian ? i : 3 - i); };
+    std::uint32_t asked_s = 0;
+    for (unsigned i = 0; i < 4; ++i) asked_s |= std::uint32_t{bytes[place(i)]} << (8 * i);
+    if (asked_s <= most_lease_s) continue;
+    if (!is_changed) changed.assign(bytes.begin(), bytes.end());
+    is_changed = true;
+    for (unsigned i = 0; i < 4; ++i)
+      changed[place(i)] = static_cast<std::uint8_t>(most_lease_s >> (8 * i));
+  }
+  return is_changed ? Intake::Payload(changed) : bytes;
 }
 
 }  // namespace
@@ -36,7 +41,7 @@ Intake::Payload Intake::admit(Payload bytes, const Source& source, Bytes& change
     shed(*kind, {}, source, now);
     return {};
   }
-  return datagram.lease ? with_short_lease(bytes, *datagram.lease, changed) : bytes;
+  return with_short_leases(bytes, datagram, changed);
 }
 
 std::optional<Intake::Kind> Intake::refused(Payload bytes, const Datagram& datagram, Time now) {

@@ -37,6 +37,7 @@ std::vector<Case> sound_datagrams() {
   const std::array<std::uint8_t, 32> set{};
   return {
       {"an announcement", said().announce(us).bytes(), ""},
+      {"it twice, as Fast DDS says it", said().announce(us).announce(us).bytes(), ""},
       {"a sample", said().to(them).data(of_a_topic, 1, sample).bytes(), ""},
       {"the last of many samples", said().data(of_a_topic, most_samples, sample).bytes(), ""},
       {"a farewell, as a key", said().data(participants, 2, sample, 16, 9).bytes(), ""},
@@ -81,6 +82,9 @@ std::vector<Case> faulty_datagrams() {
       {"what is secured", said().part(0x30, 1, Fields().zeros(20)).bytes(), "Security"},
       {"statistics first", said().part(0x80, 1, Fields().zeros(56)).heartbeat(topic, 1, 1).bytes(),
        "not the last"},
+      {"announcements without end",
+       said().announce(us).announce(us).announce(us).announce(us).announce(us).bytes(),
+       "without end"},
       {"another's announcement", said().announce(them).bytes(), "another participant"},
       {"another's writer",
        said().data(publications, 1, list_of(Fields().parameter(0x5A, guid_of(them)).end())).bytes(),
@@ -159,7 +163,7 @@ TEST(Datagrams, CutAnywhereAreReadToTheirEndAndNoFurther) {
         const Bytes cut(whole.bytes.begin(), whole.bytes.begin() + static_cast<long>(size));
         const Datagram read = read_datagram(cut);
         faults += read.fault.empty() ? 0U : 1U;
-        if (read.lease) EXPECT_LE(read.lease->at + 4, size);
+        for (std::size_t k = 0; k < read.leases; ++k) EXPECT_LE(read.lease[k].at + 4, size);
       }
   EXPECT_GT(faults, cuts * 9 / 10) << "of " << cuts;
 }
@@ -240,10 +244,10 @@ TEST(Datagrams, OfCycloneAnnounceItWithItsLease) {
   const Datagram read = read_datagram(bytes);
   EXPECT_EQ(read.fault, "");
   EXPECT_TRUE(read.is_announcement);
-  ASSERT_TRUE(read.lease);
-  EXPECT_TRUE(read.lease->is_little_endian);
-  EXPECT_EQ(read.lease->at, 80U);
-  EXPECT_EQ(bytes[read.lease->at], 10U);
+  ASSERT_EQ(read.leases, 1U);
+  EXPECT_TRUE(read.lease[0].is_little_endian);
+  EXPECT_EQ(read.lease[0].at, 80U);
+  EXPECT_EQ(bytes[read.lease[0].at], 10U);
 }
 
 }  // namespace
