@@ -32,21 +32,27 @@ std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// Where it is; as it is where no folder of PATH has it.
-std::string found_by_path(const ProgramAsked& asked) {
+bool is_program(const std::string& place) {
+  std::error_code problem;
+  return std::filesystem::is_regular_file(place, problem) && access(place.c_str(), X_OK) == 0;
+}
+
+/// Where it is; nothing: no folder of PATH has it. Never in the folder of work by its bare name.
+std::optional<std::string> found_by_path(const ProgramAsked& asked) {
   const std::string& program = asked.arguments.front();
-  if (program.find('/') != std::string::npos) return program;
+  if (program.find('/') != std::string::npos)
+    return is_program(program) ? std::optional(program) : std::nullopt;
   constexpr std::string_view name = "PATH=";
   for (const std::string& variable : asked.environment) {
     if (!variable.starts_with(name)) continue;
     for (std::size_t from = name.size(); from <= variable.size();) {
       const std::size_t to = std::min(variable.find(':', from), variable.size());
       const std::string place = variable.substr(from, to - from) + "/" + program;
-      if (to > from && access(place.c_str(), X_OK) == 0) return place;
+      if (to > from && is_program(place)) return place;
       from = to + 1;
     }
   }
-  return program;
+  return std::nullopt;
 }
 
 /// What the child needs, made before it is: between fork and exec it may allocate nothing.
@@ -62,7 +68,7 @@ struct Prepared {
 };
 
 [[noreturn]] void become(const Prepared& p) {
-  setpgid(0, 0);
+  setsid();  // a group of its own, and no terminal that it could ask a person at
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != p.parent) _exit(127);  // it was gone before that was said
   sigset_t none;
@@ -96,10 +102,12 @@ void keep(std::string& output, const char* bytes, std::size_t count, std::size_t
   if (output.size() > 2 * most) output.erase(0, output.size() - most);
 }
 
-/// What is there to be read now. @return false: nobody writes any more
+/// What is there to be read now, a megabyte at most: who writes without end is no reason to look at
+/// nothing else. @return false: nobody writes any more
 bool read_on(int from, std::string& output, std::size_t most) {
   std::array<char, 16384> bytes{};
-  for (;;) {
+  constexpr int most_reads = 64;
+  for (int i = 0; i < most_reads; ++i) {
     const ssize_t count = read(from, bytes.data(), bytes.size());
     if (count > 0) {
       keep(output, bytes.data(), static_cast<std::size_t>(count), most);
@@ -109,6 +117,7 @@ bool read_on(int from, std::string& output, std::size_t most) {
       return errno == EAGAIN;
     }
   }
+  return true;
 }
 
 /// A process group that is ended and waited for in every case.
@@ -116,24 +125,34 @@ class Group {
  public:
   explicit Group(pid_t leader) : leader_(leader) {}
   ~Group() {
-    kill(-leader_, SIGKILL);
-    if (!is_over_) (void)waitpid(leader_, &status_, 0);
+    end();
+    int status = 0;
+    while (waitpid(leader_, &status, 0) < 0 && errno == EINTR) {
+    }
   }
   Group(const Group&) = delete;
   Group& operator=(const Group&) = delete;
   void ask_to_end() const { kill(-leader_, SIGTERM); }
   void end() const { kill(-leader_, SIGKILL); }
-  /// Whether the first of them is over.
+  /// Whether the first of them is over. It stays a zombie until all are ended, so that its number
+  /// is nobody else's.
   bool is_over() {
-    if (!is_over_) is_over_ = waitpid(leader_, &status_, WNOHANG) == leader_;
-    return is_over_;
+    siginfo_t how{};
+    if (waitid(P_PID, static_cast<id_t>(leader_), &how, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+        how.si_pid != leader_)
+      return false;
+    was_killed_ = how.si_code != CLD_EXITED;
+    status_ = how.si_status;
+    return true;
   }
+  [[nodiscard]] bool was_killed() const { return was_killed_; }
+  /// With which it exited, or the signal that killed it.
   [[nodiscard]] int status() const { return status_; }
 
  private:
   pid_t leader_;
   int status_ = 0;
-  bool is_over_ = false;
+  bool was_killed_ = false;
 };
 
 /// errno that kept it from being run; 0: it runs, or has.
@@ -149,9 +168,11 @@ int start_failure(int from) {
 
 ProgramEnded run_program(const ProgramAsked& asked, const std::atomic<bool>* is_stop_asked) {
   expects(!asked.arguments.empty(), "a program has a name");
+  const std::optional<std::string> program = found_by_path(asked);
+  if (!program) return {ProgramEnded::End::not_found, 0, 0, ""};
   Pipe says, failed;
   Prepared prepared;
-  prepared.program = found_by_path(asked);
+  prepared.program = *program;
   prepared.folder = asked.folder.string();
   prepared.arguments = pointers_to(asked.arguments);
   prepared.environment = pointers_to(asked.environment);
@@ -164,13 +185,13 @@ ProgramEnded run_program(const ProgramAsked& asked, const std::atomic<bool>* is_
     throw Error(ErrorKind::unavailable,
                 std::string("cannot start another process: ") + std::strerror(errno));
   if (process == 0) become(prepared);
-  setpgid(process, process);  // whichever of the two is first
   Group group(process);
   says.close_writing();
   failed.close_writing();
   ProgramEnded out;
-  if (start_failure(failed.reading()) != 0) {
+  if (const int why = start_failure(failed.reading()); why != 0) {
     out.end = ProgramEnded::End::not_found;
+    out.output = prepared.program + ": " + std::strerror(why);
     return out;
   }
   fcntl(says.reading(), F_SETFL, O_NONBLOCK);
@@ -195,15 +216,16 @@ ProgramEnded run_program(const ProgramAsked& asked, const std::atomic<bool>* is_
     }
     if (asked_to_end && now - *asked_to_end > grace) group.end();
   }
+  group.end();
   (void)read_on(says.reading(), out.output, asked.most_output);
   if (out.output.size() > asked.most_output)
     out.output.erase(0, out.output.size() - asked.most_output);
   if (out.end != ProgramEnded::End::exited) return out;
-  if (WIFSIGNALED(group.status())) {
+  if (group.was_killed()) {
     out.end = ProgramEnded::End::killed;
-    out.signal = WTERMSIG(group.status());
+    out.signal = group.status();
   } else {
-    out.status = WEXITSTATUS(group.status());
+    out.status = group.status();
   }
   return out;
 }

@@ -22,7 +22,7 @@ struct ProgramAsked {
 struct ProgramEnded {
   enum class End {
     exited,       ///< with `status`
-    not_found,    ///< there is no such program, or it may not be run
+    not_found,    ///< there is no such program, or it cannot be run: `output` says why
     killed,       ///< by `signal`, of whomever
     out_of_time,  ///< and was ended
     stopped,      ///< because that was asked for
@@ -33,8 +33,9 @@ struct ProgramEnded {
   std::string output;  ///< the last of what it said, stdout and stderr as they came
 };
 
-/// Runs a program to its end. It has no descriptor of ours and nothing to read; all that it starts
-/// is ended with it, and it dies with this process. From any thread, beside others.
+/// Runs a program to its end. It has no descriptor of ours, no terminal and nothing to read; all
+/// that it starts is ended with it. It dies with this process, which what it started may outlive.
+/// From any thread, beside others.
 /// @param is_stop_asked  looked at ten times a second; null: nobody asks
 /// @throws Error(unavailable) where the system has no room for another process
 [[nodiscard]] ProgramEnded run_program(const ProgramAsked& asked,

@@ -99,6 +99,33 @@ TEST(RunProgram, DoesNotWaitForWhatItLeavesBehind) {
   EXPECT_EQ(ended.output, "done\n");
 }
 
+TEST(RunProgram, IsEndedThoughItWritesWithoutEnd) {
+  ProgramAsked asked = shell("");
+  asked.arguments = {"yes"};
+  asked.longest = std::chrono::seconds(1);
+  ProgramEnded ended;
+  EXPECT_LT(took_s(asked, ended), 12);
+  EXPECT_EQ(ended.end, End::out_of_time);
+}
+
+TEST(RunProgram, IsNotTakenFromTheFolderThatItWorksIn) {
+  const tests::TemporaryFolder folder;
+  std::ofstream(folder / "made-up-tool") << "#!/bin/sh\necho taken\n";
+  std::filesystem::permissions(folder / "made-up-tool", std::filesystem::perms::owner_all);
+  ProgramAsked asked = shell("");
+  asked.arguments = {"made-up-tool"};
+  asked.folder = folder / "";
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder / "");
+  const ProgramEnded ended = run_program(asked);
+  std::filesystem::current_path(before);
+  EXPECT_EQ(ended.end, End::not_found) << ended.output;
+}
+
+TEST(RunProgram, HasNoTerminalToAskAPersonAt) {
+  EXPECT_EQ(run_program(shell("if (: < /dev/tty) 2>/dev/null; then echo asks; fi")).output, "");
+}
+
 TEST(RunProgram, IsStoppedWhenThatIsAsked) {
   std::atomic<bool> stop = false;
   std::thread asks([&] {
