@@ -77,7 +77,8 @@ case "$does" in
   not_out) echo 'curl: (22) The requested URL returned error: 404' >&2; exit 22;;
   down) echo 'curl: (22) The requested URL returned error: 503' >&2; exit 22;;
 esac
-case "$1" in *f000*) cp "$here/good/wind_forecast" "$target";; *) : > "$target";; esac
+step=$(echo "$1" | sed 's/.*[.]f\([0-9]*\)&.*/\1/')
+[ "$does" = empty ] && : > "$target" || cp "$here/good/step_$step" "$target"
 )";
 
 constexpr const char* at = "2025-03-10T05:30:00Z";  // D is the 9th
@@ -111,6 +112,7 @@ class Fetch : public ::testing::Test {
     keep(api::write_wind_analysis(ocean, day - days(3), day, folder), "wind");
     keep(api::write_wind_forecast(ocean, parse_utc("2025-03-10T00:00:00Z"), 96, folder),
          "wind_forecast");
+    split_by_step(good / "wind_forecast", good);
     const std::filesystem::path old = *made_ / "old";
     std::filesystem::create_directories(old);
     for (const auto& file : api::write_current_product(ocean, day - days(4), day - days(4), old))
@@ -122,6 +124,27 @@ class Fetch : public ::testing::Test {
          api::write_current_product(api::SyntheticOcean(settings), day, day, far))
       if (contains(file.filename().string(), "phy-cur")) keep(file, "far_currents");
     api::write_site_yaml(ocean, *made_ / "site");
+  }
+  /// Its messages, in their order, as the 25 files of the steps from 0 to 72 h.
+  static void split_by_step(const std::filesystem::path& grib, const std::filesystem::path& into) {
+    const std::string bytes = read_bytes(grib);
+    std::vector<std::string> messages;
+    for (std::size_t at = 0; at + 16 <= bytes.size();) {
+      std::size_t length = 0;  // GRIB 2: of all of it, in octets 9 to 16
+      for (std::size_t i = 8; i < 16; ++i)
+        length = length << 8U | static_cast<unsigned char>(bytes[at + i]);
+      messages.push_back(bytes.substr(at, length));
+      at += length;
+    }
+    constexpr std::size_t steps = 25;
+    for (std::size_t step = 0; step < steps; ++step) {
+      const std::string hours = std::to_string(3 * step);
+      std::ofstream out(into / ("step_" + std::string(3 - hours.size(), '0') + hours),
+                        std::ios::binary);
+      for (std::size_t i = step * messages.size() / steps; i < (step + 1) * messages.size() / steps;
+           ++i)
+        out << messages[i];
+    }
   }
   static void TearDownTestSuite() { delete made_; }
 
@@ -236,12 +259,12 @@ TEST_F(Fetch, FetchesNothingAgainUntilThereIsANewerIssue) {
 TEST_F(Fetch, TriesAgainWhereThatHelps) {
   plan("currents", "busy\nbusy\n");
   plan("waves", "login_down\nodd\n");
-  plan("wind_forecast", "down\n");
+  plan("wind_forecast", "down\nempty\n");
   const json files = fetched();
   EXPECT_EQ(files.at("exit"), 0) << files.dump(2);
   EXPECT_EQ(files.at("currents").at("tries"), 3);
   EXPECT_EQ(files.at("waves").at("tries"), 3);
-  EXPECT_EQ(files.at("wind forecast").at("tries"), 2);
+  EXPECT_EQ(files.at("wind forecast").at("tries"), 3);
 }
 
 TEST_F(Fetch, DoesNotTryAgainWhereThatHelpsNobody) {
@@ -285,6 +308,9 @@ TEST_F(Fetch, TakesNoFileThatIsNotWhatWasAskedFor) {
     const std::string said = files.at("currents").at("why").get<std::string>();
     EXPECT_TRUE(contains(said, why)) << said;
     EXPECT_TRUE(files.at("currents").at("file").is_null()) << "nothing of it is kept";
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(store_.file("downloads")))
+      EXPECT_FALSE(contains(entry.path().filename().string(), "currents")) << entry.path();
   }
   EXPECT_EQ(fetched().at("currents").at("state"), "fetched") << "and then the right one";
 }
@@ -309,7 +335,7 @@ TEST_F(Fetch, SaysWhatIsNotOutYetAndWhenItWillBe) {
   plan("currents", "updating\n");
   plan("wind_forecast", "\n\nnot_out\n");
   const json files = fetched();
-  EXPECT_EQ(files.at("exit"), 0) << "late is no fault of ours: " << files.at("err");
+  EXPECT_EQ(files.at("exit"), 5) << "late, and no older one is there";
   EXPECT_EQ(files.at("currents").at("state"), "late");
   EXPECT_EQ(files.at("currents").at("tries"), 1);
   EXPECT_FALSE(files.at("currents").at("next_out").is_null());
@@ -367,6 +393,22 @@ TEST_F(Fetch, EndsWhatHangsAndWhatDies) {
   EXPECT_EQ(files.at("currents").at("tries"), 2);
   EXPECT_EQ(files.at("waves").at("tries"), 2);
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
+}
+
+/// A history that nobody has taken in yet is not overwritten by a shorter one.
+TEST_F(Fetch, PutsALongerHistoryAside) {
+  EXPECT_EQ(fetch({"--history", "20d"}).exit_code, 0);
+  EXPECT_EQ(fetch().exit_code, 0);
+  std::size_t currents = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(store_.file("downloads")))
+    currents +=
+        entry.path().extension() == ".nc" && contains(entry.path().filename().string(), "currents");
+  EXPECT_EQ(currents, 2U);
+}
+
+TEST_F(Fetch, IsOfUseForASiteThatWasOnlyJustNamed) {
+  std::filesystem::create_directories(store_.store() / "sites");
+  EXPECT_EQ(fetched({"--dry-run"}).at("exit"), 0);
 }
 
 TEST_F(Fetch, SaysThatTheProgramIsNotInstalled) {

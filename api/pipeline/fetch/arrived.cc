@@ -13,8 +13,13 @@
 namespace slackwater::api {
 namespace {
 
-/// How far the last time of a file may lie before the one asked for: a step of daily means.
-constexpr std::chrono::hours longest_step{24};
+/// The longest way from one of its times to the next.
+Duration step_of(const std::vector<TimeCell>& times) {
+  Duration longest = std::chrono::hours(1);
+  for (std::size_t i = 1; i < times.size(); ++i)
+    longest = std::max(longest, times[i].start - times[i - 1].start);
+  return longest;
+}
 
 /// An answer for people in the place of data.
 bool is_a_page(const std::filesystem::path& file) {
@@ -58,6 +63,7 @@ Arrived judged(const ingest::Ingested& ingested, const WantedFile& wanted, const
   const std::vector<std::string> names = names_of(wanted.kind);
   std::set<std::string> found;
   std::optional<UtcTime> from, until;
+  Duration step = std::chrono::hours(1);
   bool has_kind = false, is_here = false;
   for (const ingest::DecodedGranule& decoded : ingested.granules) {
     const Granule& granule = decoded.granule;
@@ -71,6 +77,7 @@ Arrived judged(const ingest::Ingested& ingested, const WantedFile& wanted, const
     has_kind = true;
     is_here = is_here || is_about(granule.grid, site.point);
     if (granule.grid.time.empty()) continue;
+    step = std::max(step, step_of(granule.grid.time));
     from =
         std::min(from.value_or(granule.grid.time.front().start), granule.grid.time.front().start);
     until = std::max(until.value_or(granule.grid.time.back().end), granule.grid.time.back().end);
@@ -92,10 +99,8 @@ Arrived judged(const ingest::Ingested& ingested, const WantedFile& wanted, const
                     format_utc(*wanted.to) + ": it is of another day";
     return arrived;
   }
-  std::vector<std::string> lacks;
-  if (*from > *wanted.from + longest_step) lacks.push_back("begins at " + format_utc(*from));
-  if (*until + longest_step < *wanted.to) lacks.push_back("ends at " + format_utc(*until));
-  arrived.lacks = joined(lacks, " and ");
+  if (*from > *wanted.from + step) arrived.begins = "begins at " + format_utc(*from);
+  if (*until + step < *wanted.to) arrived.lacks = "ends at " + format_utc(*until);
   return arrived;
 }
 
@@ -105,10 +110,12 @@ Arrived look_into(const std::filesystem::path& file, const WantedFile& wanted,
                   const ingest::ProductCatalogue& products, const Site& site,
                   const std::filesystem::path& scratch) {
   std::error_code problem;
-  if (!std::filesystem::is_regular_file(file, problem)) return {"found no file", "", {}};
-  if (std::filesystem::file_size(file, problem) == 0) return {"found an empty file", "", {}};
+  if (!std::filesystem::is_regular_file(file, problem)) return {"found no file", "", "", {}};
+  if (std::filesystem::file_size(file, problem) == 0) return {"found an empty file", "", "", {}};
   if (is_a_page(file))
-    return {"found a page of text in the place of data: the service answered otherwise", "", {}};
+    return {
+        "found a page of text in the place of data: the service answered otherwise", "", "", {}};
+  std::filesystem::remove_all(scratch, problem);
   std::filesystem::create_directories(scratch, problem);
   Arrived arrived;
   try {

@@ -10,7 +10,8 @@ namespace slackwater::api {
 /// What is in a file that came.
 struct Arrived {
   std::string fault;             ///< why it is of no use, in words; empty: it is what was asked for
-  std::string lacks;             ///< what it has less than was asked for; empty: nothing
+  std::string lacks;             ///< how early it ends, in words; empty: it does not
+  std::string begins;            ///< how late it begins, in words; empty: it does not
   std::optional<UtcTime> until;  ///< the end of its times
 };
 

@@ -37,6 +37,7 @@ std::optional<FetchNote> note_of(const std::filesystem::path& file) {
     const json read = json::parse(text_of_given_file(note_file(file), "a note", most_bytes));
     FetchNote note;
     note.asked = read.at("asked").get<std::string>();
+    note.from = read.at("from").get<std::string>();
     note.fetched_at = parse_utc(read.at("fetched_at").get<std::string>());
     note.bytes = read.at("bytes").get<std::uintmax_t>();
     note.lacks = read.at("lacks").get<std::string>();
@@ -51,22 +52,21 @@ std::optional<FetchNote> note_of(const std::filesystem::path& file) {
 
 void write_note(const std::filesystem::path& file, const FetchNote& note) {
   const json written{{"asked", note.asked},
+                     {"from", note.from},
                      {"fetched_at", format_utc(note.fetched_at)},
                      {"bytes", note.bytes},
                      {"lacks", note.lacks}};
   write_text(note_file(file), written.dump(2) + "\n");
 }
 
-Issues issues_of(const WantedFile& wanted, const ingest::ProductCatalogue& products, UtcTime now) {
-  if (wanted.run) {
-    const UtcTime out = *wanted.run + gfs_published_after;
-    return {out, out + gfs_run_every};
-  }
+std::optional<UtcTime> next_out(const WantedFile& wanted, const ingest::ProductCatalogue& products,
+                                UtcTime now) {
+  if (wanted.run) return *wanted.run + gfs_published_after + gfs_run_every;
   const ingest::Product* const product = products.find(wanted.product_id);
-  if (product == nullptr || !wanted.from || product->published_after == Duration{0}) return {};
+  if (product == nullptr || !wanted.from || product->published_after == Duration{0})
+    return std::nullopt;
   const UtcTime today = UtcTime(day_of(now)) + product->published_after;
-  const std::chrono::days day{1};
-  return today <= now ? Issues{today, today + day} : Issues{today - day, today};
+  return today > now ? today : today + std::chrono::days(1);
 }
 
 }  // namespace slackwater::api

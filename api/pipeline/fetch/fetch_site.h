@@ -12,7 +12,7 @@ namespace slackwater::api {
 
 /// How a file stands after a fetch.
 enum class FetchState {
-  here,     ///< it was there already, of the newest issue
+  here,     ///< it was there already: fetched within three hours, or of the same run
   fetched,  ///< it came
   late,     ///< it came, or an older one is there, and its newest times are not out yet
   failed,
@@ -37,13 +37,14 @@ struct FetchChoice {
   std::filesystem::path folder;  ///< of the files; made where it is missing
   bool is_dry = false;           ///< says what would be done, and runs nothing
   const std::atomic<bool>* is_stop_asked = nullptr;
-  /// For how long it tries in all; then what has not come is late.
+  /// For how long it tries in all; then what has not come has failed.
   std::chrono::seconds patience{1200};
   /// Told before each request, in words: "currents by copernicusmarine, try 2".
   std::function<void(const std::string&)> on_step{};
 };
 
-/// Fetches what a forecast at a site wants and looks into all that comes. A file that fails leaves
+/// Fetches what a forecast at a site wants and looks into all that comes. Every file is tried once
+/// before any is tried again. A file that fails leaves
 /// the others alone, and an older one of its name in its place. What was fetched of the newest
 /// issue is not fetched again: each file has a note beside it (`NAME.fetched.json`) of what was
 /// asked for and when.

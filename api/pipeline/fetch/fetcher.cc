@@ -33,6 +33,9 @@ constexpr std::array all_troubles{
     TroubleWords{"stopped", "stopped"},
 };
 
+const std::array<std::string, 6> all_kinds{"currents",   "level", "waves",
+                                           "bathymetry", "wind",  "wind forecast"};
+
 Trouble trouble_named(const Config& message) {
   const std::string name = message.text("means");
   std::vector<std::string> known;
@@ -99,9 +102,15 @@ void expect_words(const Config& config, const std::vector<std::string>& argument
   const Words known = words_for({}, {}, "folder/file", "");
   std::vector<std::string> names;
   for (const auto& [name, values] : known) names.push_back("{" + name + "}");
-  for (const std::string& argument : arguments)
-    if (const auto [at, word] = word_in(argument); at != std::string::npos && !known.contains(word))
+  for (const std::string& argument : arguments) {
+    const auto [at, word] = word_in(argument);
+    if (at == std::string::npos) continue;
+    if (!known.contains(word))
       config.refuse("arguments", "found {" + word + "}, expected one of " + joined(names, ", "));
+    if (argument.find('{', at + 1) != std::string::npos)
+      config.refuse("arguments", "found two words in braces in " + argument +
+                                     ", expected one in an argument; give each its own");
+  }
 }
 
 }  // namespace
@@ -129,6 +138,9 @@ Fetcher read_fetcher(const Config& config) {
   Fetcher fetcher;
   fetcher.id = config.text("id");
   fetcher.serves = config.texts("serves");
+  for (const std::string& kind : fetcher.serves)
+    if (std::find(all_kinds.begin(), all_kinds.end(), kind) == all_kinds.end())
+      config.refuse("serves", "found " + kind + ", expected some of " + joined(all_kinds, ", "));
   fetcher.order = config.optional_integer("order", 0, 1000).value_or(fetcher.order);
   fetcher.program = config.text("program");
   fetcher.arguments = config.texts("arguments");
@@ -215,9 +227,14 @@ std::string last_word(const Fetcher& fetcher, const std::string& output) {
   for (const std::string& name : fetcher.secrets) {
     const char* const value = std::getenv(name.c_str());
     if (value == nullptr || *value == '\0') continue;
-    const std::string secret = value;
-    for (std::size_t at = 0; (at = text.find(secret, at)) != std::string::npos;)
-      text.replace(at, secret.size(), "***");
+    std::string secret = value;
+    while (!secret.empty() && std::isspace(static_cast<unsigned char>(secret.back())))
+      secret.pop_back();
+    if (secret.empty()) continue;
+    constexpr std::string_view instead = "***";
+    for (std::size_t at = 0; (at = text.find(secret, at)) != std::string::npos;
+         at += instead.size())
+      text.replace(at, secret.size(), instead);
   }
   constexpr std::size_t most = 300;
   return text.size() > most ? text.substr(0, most) + "..." : text;

@@ -7,11 +7,17 @@ namespace {
 
 using std::chrono::days;
 
-/// Whether times of these granules lie on all of a day, end to end or an hour apart.
+/// For so long after a day its products still better it.
+constexpr days still_bettered{3};
+
+/// Whether times of these granules lie on all of a day, end to end or three hours apart: of those
+/// that came when it was settled, for a day of an old forecast is none that is held.
 bool hold(const std::vector<store::GranuleRow>& granules, UtcDay day) {
   constexpr std::chrono::hours step{3};
   UtcTime held_to = UtcTime(day);
   for (const store::GranuleRow& granule : granules) {  // in order of their first time
+    const UtcTime came = granule.published_at.value_or(granule.ingested_at);
+    if (granule.status == DataStatus::forecast || came < UtcTime(day + still_bettered)) continue;
     if (!granule.first_time || *granule.first_time > held_to + step) continue;
     held_to = std::max(held_to, *granule.last_time);
   }
@@ -22,7 +28,6 @@ bool hold(const std::vector<store::GranuleRow>& granules, UtcDay day) {
 
 void leave_out_stored(store::Store& store, const Site& site, UtcDay day,
                       std::vector<WantedFile>& wanted) {
-  constexpr days still_bettered{3};
   for (WantedFile& file : wanted) {
     if (file.dataset_id.empty() || !file.from) continue;
     store::GranuleQuery query;

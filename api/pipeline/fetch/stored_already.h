@@ -4,8 +4,8 @@
 
 namespace slackwater::api {
 
-/// Leaves out of what is wanted the days that the store holds already, from the first on: a file of
-/// a day goes on to be asked for while its product may still better it, three days.
+/// Leaves out of what is wanted the days that the store holds already, from the first on, as they
+/// were three days later or after: until then products better them.
 void leave_out_stored(store::Store& store, const Site& site, UtcDay day,
                       std::vector<WantedFile>& wanted);
 

@@ -61,7 +61,13 @@ WantedFile file_of(const Download& d, const Site& site, const WantedTimes& wante
   if (d.has_depth) file.deepest_m = deepest_m(site);
   if (d.kind != DownloadKind::bathymetry) {
     file.from = UtcTime(wanted.day) - wanted.history;
-    file.to = d.horizon_h > 0 ? day_end + wanted.horizon : day_end;
+    // A product goes no further than it does.
+    const auto reach = std::chrono::duration_cast<Duration>(
+        std::chrono::duration<double, std::ratio<3600>>(d.horizon_h));
+    file.to = d.horizon_h > 0
+                  ? std::min(day_end + wanted.horizon, UtcTime(day_of(wanted.issued)) + reach)
+                  : day_end;
+    file.to = std::max(*file.to, day_end);
     if (d.since && *file.from < UtcTime(*d.since) && *d.since <= wanted.day) {
       file.since = d.since;
       file.from = UtcTime(*d.since);

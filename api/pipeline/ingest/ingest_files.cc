@@ -194,7 +194,14 @@ std::vector<std::filesystem::path> product_files(const std::vector<std::filesyst
       continue;
     }
     std::vector<std::filesystem::path> inside;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
+    auto entries = std::filesystem::recursive_directory_iterator(path);
+    for (auto it = begin(entries); it != end(entries); ++it) {
+      const std::filesystem::directory_entry& entry = *it;
+      // What `fetch` has not looked into yet lies in a hidden folder.
+      if (entry.path().filename().string().starts_with(".")) {
+        if (entry.is_directory()) it.disable_recursion_pending();
+        continue;
+      }
       if (entry.is_regular_file() && is_product_file(entry.path())) inside.push_back(entry.path());
     }
     if (inside.empty()) {

@@ -49,8 +49,8 @@ struct IngestReport {
                                              const ingest::Progress& progress);
 
 /// The files that a command line names: a folder stands for every .nc, .grib, .grib2, .grb, .grb2
-/// and .nc4 file below it, sorted. Throws Error(not_found) for a path that is not there, or a
-/// folder without such files.
+/// and .nc4 file below it, sorted, but for what is hidden. Throws Error(not_found) for a path that
+/// is not there, or a folder without such files.
 [[nodiscard]] std::vector<std::filesystem::path> product_files(
     const std::vector<std::filesystem::path>& paths);
 

@@ -45,7 +45,7 @@ std::vector<WantedFile> wanted_by(const FetchArguments& arguments, const Context
   times.horizon = horizon_from(arguments.horizon);
   times.history = history_from(arguments.history);
   std::vector<WantedFile> wanted = wanted_files(products, site, times);
-  if (std::filesystem::exists(context.store_folder)) {
+  if (std::filesystem::exists(context.store_folder / "catalogue.sqlite")) {
     store::Store store = context.open(store::OpenMode::read_only);
     leave_out_stored(store, site, times.day, wanted);
   }
@@ -92,7 +92,9 @@ void expect_all_came(const std::vector<FetchOutcome>& outcomes) {
   std::size_t wanted = 0;
   for (const FetchOutcome& out : outcomes) {
     wanted += out.wanted.file.empty() ? 0 : 1;
-    if (out.state == FetchState::failed) failed.push_back(out.wanted.kind + " (" + out.why + ")");
+    const bool is_missing =
+        out.state == FetchState::failed || (out.state == FetchState::late && out.file.empty());
+    if (is_missing) failed.push_back(out.wanted.kind + " (" + out.why + ")");
   }
   if (failed.empty()) return;
   throw Error(ErrorKind::unavailable,
