@@ -65,7 +65,8 @@ Cause likely_cause(const Vehicle& vehicle, Plane plane, bool grows_by_itself) {
                                           loop)};
   if (plane == Plane::roll)
     return {"displacement",
-            "Nothing holds it upright: check centre_of_gravity_m and K_p of `damping`"};
+            "Check what holds it upright (centre_of_gravity_m, K_p of `damping`), the periods of "
+            "`autopilot` and the masses"};
   if (!grows_by_itself) return slow;
   const std::vector<std::string> absent = absent_lift(vehicle, plane);
   const bool has_edge = horizontal && vehicle.body.trailing_edge_kg_m > 0;
@@ -112,6 +113,12 @@ std::vector<BalanceFinding> findings_on_handling(const Vehicle& vehicle) {
       std::min(vehicle.cruise_speed_m_s, top_speed_m_s(vehicle, autopilot, voltage_v, true));
   const KeptCourse course = kept_course(vehicle, autopilot, speed_m_s);
   if (is_kept(course)) return {};
+  if (!course.over_at_s && !course.is_judged)
+    return {
+        {false, "autopilot",
+         formatted("its loops are so slow that {:.0f} s do not tell whether it keeps its course "
+                   "and its depth: fly it in a scenario before it is relied on",
+                   course.lasts_s)}};
   const OpenLoop by_itself = open_loop_of(vehicle);
   const Plane plane = plane_of(course, by_itself);
   const bool grows_by_itself =

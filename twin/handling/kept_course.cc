@@ -26,11 +26,13 @@ struct Swing {
   [[nodiscard]] double size() const { return std::max(greatest - least, 0.0); }
 };
 
+double slowest_s(const AutopilotSettings& s) {
+  return std::max(
+      {s.heading_period_s, s.vertical_period_s, s.tilt_period_s, s.horizontal_period_s});
+}
 double flight_s(const AutopilotSettings& s) {
-  constexpr double periods = 12, least_s = 60, most_s = 300;
-  const double slowest_s =
-      std::max({s.heading_period_s, s.vertical_period_s, s.tilt_period_s, s.horizontal_period_s});
-  return std::clamp(periods * slowest_s, least_s, most_s);
+  constexpr double periods = 12, least_s = 60, most_s = 600;
+  return std::clamp(periods * slowest_s(s), least_s, most_s);
 }
 
 /// Upright and a number.
@@ -46,7 +48,7 @@ KeptCourse kept_course(const Vehicle& vehicle, const Autopilot& autopilot, doubl
   const StepPlan plan = plan_step(vehicle, vehicle.largest_step_s, voltage_v);
   const double depth_m =
       floats ? floating_depth_m(craft.hull, craft.mass_kg, craft.fluid_density_kg_m3) : deep_m;
-  constexpr double begins_off_rad = 5 * degree;
+  constexpr double begins_off_rad = 10 * degree;
   VehicleState<double> state = placed(vehicle, {0, 0, depth_m}, begins_off_rad);
   state.bus_voltage_v = voltage_v;
   state.body.nu.linear.x = speed_m_s;
@@ -94,16 +96,19 @@ KeptCourse kept_course(const Vehicle& vehicle, const Autopilot& autopilot, doubl
   }
   out.heading_swing_rad = heading.size();
   out.pitch_swing_rad = pitch.size();
+  constexpr double enough_periods = 6;
+  out.is_judged =
+      judged > 0 && out.lasts_s >= enough_periods * slowest_s(autopilot.settings) - 1e-9;
   if (judged > 0) out.made_m_s = sum_m_s / judged;
   return out;
 }
 
 bool is_kept(const KeptCourse& c) noexcept {
-  return !c.over_at_s && c.heading_off_rad <= 5 * degree && c.depth_off_m <= 1;
+  return !c.over_at_s && c.is_judged && c.heading_off_rad <= 5 * degree && c.depth_off_m <= 1;
 }
 
 bool is_lost(const KeptCourse& c) noexcept {
-  return c.over_at_s || c.heading_off_rad > 20 * degree || c.depth_off_m > 3;
+  return c.over_at_s || (c.is_judged && (c.heading_off_rad > 20 * degree || c.depth_off_m > 3));
 }
 
 }  // namespace slackwater::twin

@@ -7,11 +7,14 @@
 namespace slackwater::twin {
 
 /// How a vehicle that swims or floats keeps its course, and its depth, under its own autopilot, in
-/// still and deep water: begun 5 degrees beside the course at the speed that it is to keep, for
-/// twelve periods of its slowest loop (1 to 5 min). Of the second half.
+/// still and deep water: begun 10 degrees beside the course at the speed that it is to keep, for
+/// twelve periods of its slowest loop (1 to 10 min). Of the second half.
 struct KeptCourse {
-  double speed_m_s = 0;          ///< to be kept
-  double lasts_s = 0;            ///< all of it
+  double speed_m_s = 0;  ///< to be kept
+  double lasts_s = 0;    ///< all of it
+  /// Whether that is long enough to judge it by: six periods of its slowest loop. Of one that went
+  /// over in the first half there is nothing to judge either.
+  bool is_judged = false;
   double heading_off_rad = 0;    ///< at most, of its size
   double depth_off_m = 0;        ///< likewise; 0 of what floats
   double heading_swing_rad = 0;  ///< from the least to the greatest

@@ -3,6 +3,7 @@
 
 #include "fields/base/check.h"
 #include "fields/base/error.h"
+#include "fields/base/text.h"
 #include "twin/agent/coarse_step.h"
 #include "twin/agent/conduct.h"
 #include "twin/agent/line_on_deck.h"
@@ -62,6 +63,12 @@ Agent make_agent(std::shared_ptr<const Vehicle> vehicle,
   if (entry.follower == FollowerChoice::no_feed_forward) settings.current_feed_forward = false;
   const double voltage_v =
       entry.held_voltage_v > 0 ? entry.held_voltage_v : usual_voltage_v(*vehicle);
+  if (!(entry.held_voltage_v > 0) && !vehicle->battery && voltage_v > 0)
+    throw Error(
+        ErrorKind::invalid_input,
+        formatted("hold_bus_v: missing; the {} has no battery, and its thrusters run on {:g} "
+                  "V: give the one in its file, or the other here",
+                  vehicle->name, voltage_v));
   agent.autopilot = std::make_shared<const Autopilot>(own_autopilot(*vehicle, settings, voltage_v));
   agent.mission = mission_of(*vehicle, *agent.autopilot, entry, voltage_v);
   // What circles for ever by design, or hangs on a tether, is not what water carries off.

@@ -52,11 +52,12 @@ inline void note_attitude(Milestones& m, const Rotation<double>& r, double t_s) 
 /// @param wanted_m  to be kept; no number: nobody keeps one, and it is to be where it was
 inline void note_depth(Milestones& m, double bound_m, double wanted_m, double depth_m,
                        double t_s) noexcept {
-  if (std::isnan(m.kept_depth_m)) m.kept_depth_m = depth_m;
-  if (std::isnan(wanted_m)) wanted_m = m.kept_depth_m;
+  if (std::isnan(wanted_m)) wanted_m = std::isnan(m.kept_depth_m) ? depth_m : m.kept_depth_m;
   if (std::abs(depth_m - wanted_m) <= bound_m)
     m.kept_depth_m = wanted_m;
-  else if (std::abs(wanted_m - m.kept_depth_m) <= bound_m && std::isnan(m.left_depth_s))
+  else if (!(std::abs(wanted_m - m.kept_depth_m) <= bound_m))
+    m.kept_depth_m = Milestones::never;  // on its way to another one, until it is there
+  else if (std::isnan(m.left_depth_s))
     m.left_depth_s = t_s;
 }
 

@@ -31,7 +31,18 @@ ThrustRange range_of(const Thruster& thruster, double voltage_v) {
 }  // namespace
 
 double usual_voltage_v(const Vehicle& vehicle) noexcept {
-  return vehicle.battery ? rest_voltage_v(*vehicle.battery, rested(*vehicle.battery, 0.5)) : 0;
+  if (vehicle.battery) return rest_voltage_v(*vehicle.battery, rested(*vehicle.battery, 0.5));
+  double voltage_v = 0;
+  for (const Thruster& thruster : vehicle.thrusters) {
+    if (thruster.kind == ThrusterKind::table) {
+      const UniformAxis& axis = thruster.table.voltage_v;
+      voltage_v = std::max(voltage_v, axis.at(axis.count - 1));
+    } else {
+      voltage_v = std::max({voltage_v, thruster.propeller.full_speed_voltage_v,
+                            thruster.rotor.full_speed_voltage_v});
+    }
+  }
+  return voltage_v;
 }
 
 Autopilot own_autopilot(const Vehicle& vehicle, const AutopilotSettings& settings,

@@ -4,7 +4,8 @@
 
 namespace slackwater::twin {
 
-/// V, of its bus: of its battery at rest and half full; 0: it has none.
+/// V, of its bus: of its battery at rest and half full; of one without a battery the least at which
+/// its thrusters give what they can; 0: they need none.
 [[nodiscard]] double usual_voltage_v(const Vehicle& vehicle) noexcept;
 
 /// The autopilot of a vehicle, worked out for the thrust that its mounts have at rest.

@@ -137,6 +137,36 @@ TEST(KeptCourse, FinsThatAreTooSmallAreRefused) {
   EXPECT_NE(said.find("does not keep it straight"), std::string::npos) << said;
 }
 
+/// Its thrusters are measured at voltages: without a battery it is looked at on the highest, and
+/// runs on a bus that a scenario holds.
+TEST(KeptCourse, OfARovWithoutABatteryIsToldAndItsRunAsksForAVoltage) {
+  std::ifstream from(tests::source_folder() / "data/vehicles/bluerov2_heavy.yaml");
+  std::string yaml{std::istreambuf_iterator<char>(from), {}};
+  const std::size_t at = yaml.find("\nbattery:\n");
+  ASSERT_NE(at, std::string::npos);
+  std::size_t end = at + 10;
+  while (yaml.compare(end, 2, "  ") == 0 || yaml[end] == '#') end = yaml.find('\n', end) + 1;
+  yaml.erase(at + 1, end - at - 1);
+  const tests::TemporaryFolder folder;
+  std::ofstream(folder / "odd.yaml") << yaml;
+  const Vehicle rov = read_handled_vehicle(folder / "odd.yaml", tests::source_folder() / "data");
+  EXPECT_FALSE(rov.battery);
+  EXPECT_TRUE(is_kept(at_cruise(rov)));
+  const auto ready = [&](const std::string& more) {
+    return tests::ready_of(tests::calm_head(0.05) +
+                           "  - {name: rov, model: " + (folder / "odd.yaml").string() + more +
+                           ", start: {north_m: 0, east_m: 0, depth_m: 10}, tasks: [{do: hold}]}\n");
+  };
+  EXPECT_EQ(ready(", hold_bus_v: 16").agents.size(), 1U);
+  try {
+    (void)ready("");
+    ADD_FAILURE() << "taken";
+  } catch (const Error& problem) {
+    EXPECT_NE(problem.message().find("hold_bus_v: missing"), std::string::npos)
+        << problem.message();
+  }
+}
+
 TEST(KeptCourse, OfARovIsThatOfItsThrusters) {
   const Vehicle rov = bundled_vehicle("bluerov2_heavy");
   EXPECT_TRUE(is_kept(at_cruise(rov)))

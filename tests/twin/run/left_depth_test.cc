@@ -19,6 +19,13 @@ TEST(LeftDepth, IsSaidOfWhatWasThereAndWentAndNotOfWhatIsOnItsWay) {
   EXPECT_EQ(leaves.left_depth_s, 51);
   note_depth(leaves, 1, 30, 40, 52);
   EXPECT_EQ(leaves.left_depth_s, 51) << "when it did first";
+  Milestones turns_back;  // sent to 30 m, and back to 20 m before it was there
+  note_depth(turns_back, 2, 20, 20, 0);
+  for (int t = 1; t < 8; ++t) note_depth(turns_back, 2, 30, 20 + t, t);
+  for (int t = 8; t < 15; ++t) note_depth(turns_back, 2, 20, 27 - (t - 7), t);
+  EXPECT_TRUE(std::isnan(turns_back.left_depth_s));
+  note_depth(turns_back, 2, 20, 23, 16);
+  EXPECT_EQ(turns_back.left_depth_s, 16) << "it had come back";
   Milestones sloping;  // a leg that goes down as it does
   for (int t = 0; t < 100; ++t) note_depth(sloping, 1, 10 + 0.3 * t, 10.5 + 0.3 * t, t);
   EXPECT_TRUE(std::isnan(sloping.left_depth_s));
