@@ -201,8 +201,8 @@ struct Seen {
   std::vector<bool> is_seen;
 };
 Seen seen_by(const Eigen::MatrixXd& jacobian) {
-  constexpr double unseen = 1e-10;      // of the eigenvalues of J^T J with a diagonal of ones
-  constexpr double member_share = 0.3;  // of a direction of length one
+  constexpr double unseen = 1e-10;       // of the eigenvalues of J^T J with a diagonal of ones
+  constexpr double member_share = 1e-3;  // of a direction of length one
   const Eigen::Index n = jacobian.cols();
   const Eigen::VectorXd size = jacobian.colwise().norm();
   Seen out{Eigen::MatrixXd::Zero(n, n), std::vector<bool>(static_cast<std::size_t>(n), true)};

@@ -15,7 +15,12 @@ using twin::VehicleKind;
 
 std::vector<double> asked_m_s(const Vehicle& vehicle, double top_m_s) {
   const double cruise_m_s = std::min(vehicle.cruise_speed_m_s, top_m_s);
-  std::vector<double> speeds{0.5 * cruise_m_s, cruise_m_s, 0.5 * (cruise_m_s + top_m_s), top_m_s};
+  // An AUV goes no slower than its fins steer it.
+  const double slow_m_s =
+      vehicle.kind == VehicleKind::auv
+          ? std::min(std::max(0.5 * cruise_m_s, vehicle.autopilot.least_speed_m_s), cruise_m_s)
+          : 0.5 * cruise_m_s;
+  std::vector<double> speeds{slow_m_s, cruise_m_s, 0.5 * (cruise_m_s + top_m_s), top_m_s};
   if (vehicle.kind == VehicleKind::uav) speeds.insert(speeds.begin(), 0.0);
   // A top speed that is hardly more than the cruise is the same row.
   std::vector<double> apart;

@@ -24,19 +24,23 @@ json modes_json(const std::vector<std::complex<double>>& modes) {
   return all;
 }
 
-json course_json(const twin::KeptCourse& course) {
+json course_json(const twin::KeptCourse& course, bool floats) {
+  const auto judged = [&](double value) {
+    return course.is_judged ? number(value) : json(nullptr);
+  };
   return {{"kept", is_kept(course)},
           {"lost", is_lost(course)},
           {"lasts_s", number(course.lasts_s)},
-          {"heading_off_deg", number(course.heading_off_rad / degree)},
-          {"heading_swing_deg", number(course.heading_swing_rad / degree)},
-          {"pitch_swing_deg", number(course.pitch_swing_rad / degree)},
-          {"depth_off_m", number(course.depth_off_m)},
-          {"speed_m_s", number(course.made_m_s)},
+          {"judged", course.is_judged},
+          {"heading_off_deg", judged(course.heading_off_rad / degree)},
+          {"heading_swing_deg", judged(course.heading_swing_rad / degree)},
+          {"pitch_swing_deg", judged(course.pitch_swing_rad / degree)},
+          {"depth_off_m", floats ? json(nullptr) : judged(course.depth_off_m)},
+          {"speed_m_s", judged(course.made_m_s)},
           {"over_at_s", or_nothing(course.over_at_s)}};
 }
 
-json speed_json(const AtSpeed& at) {
+json speed_json(const AtSpeed& at, bool floats) {
   json out{{"speed_m_s", number(at.speed_m_s)},
            {"cruise", at.is_cruise},
            {"top", at.is_top},
@@ -46,7 +50,7 @@ json speed_json(const AtSpeed& at) {
   if (at.modes)
     out["eigenvalues_per_s"] = {{"vertical", modes_json(at.modes->vertical)},
                                 {"horizontal", modes_json(at.modes->horizontal)}};
-  if (at.course) out["autopilot"] = course_json(*at.course);
+  if (at.course) out["autopilot"] = course_json(*at.course, floats);
   if (at.level)
     out["level_flight"] = {{"pitch_deg", number(at.level->pitch_rad / degree)},
                            {"elevator_deg", number(at.level->elevator_rad / degree)},
@@ -81,7 +85,7 @@ json open_loop_json(const twin::OpenLoop& alone) {
 
 json check_json(const VehicleCheck& check) {
   json speeds = json::array(), manoeuvres = json::array();
-  for (const AtSpeed& at : check.speeds) speeds.push_back(speed_json(at));
+  for (const AtSpeed& at : check.speeds) speeds.push_back(speed_json(at, check.floats()));
   for (const FlownManoeuvre& one : check.manoeuvres)
     manoeuvres.push_back({{"name", one.name},
                           {"account", one.account ? manoeuvre_json(*one.account) : json(nullptr)},

@@ -81,13 +81,14 @@ std::string plane_text(const std::vector<std::complex<double>>& modes) {
   return "stable";
 }
 
-std::string course_text(const twin::KeptCourse& course) {
+std::string course_text(const twin::KeptCourse& course, bool floats) {
   if (course.over_at_s) return formatted("goes over after {:.0f} s", *course.over_at_s);
-  return formatted("{}: {:.1f} deg, {:.2f} m, {:.2f} m/s",
-                   is_lost(course)   ? "lost"
-                   : is_kept(course) ? "kept"
-                                     : "poorly",
-                   course.heading_off_rad / degree, course.depth_off_m, course.made_m_s);
+  const char* const verdict = !course.is_judged ? "too slow to be judged"
+                              : is_lost(course) ? "lost"
+                              : is_kept(course) ? "kept"
+                                                : "poorly";
+  return formatted("{}: {:.1f} deg, {}, {:.2f} m/s", verdict, course.heading_off_rad / degree,
+                   floats ? "-" : formatted("{:.2f} m", course.depth_off_m), course.made_m_s);
 }
 
 std::string speed_text(const AtSpeed& at) {
@@ -125,7 +126,7 @@ ReportTable by_speed(const VehicleCheck& check) {
       row.push_back(plane_text(at.modes->vertical));
       row.push_back(plane_text(at.modes->horizontal));
     }
-    if (at.course) row.push_back(course_text(*at.course));
+    if (at.course) row.push_back(course_text(*at.course, check.floats()));
     table.rows.push_back(std::move(row));
   }
   table.note = check.flies() ? "Through still air."
@@ -193,11 +194,13 @@ std::string check_verdict(const VehicleCheck& check) {
   for (const AtSpeed& at : check.speeds)
     if (at.course && !is_kept(*at.course)) loses.push_back(formatted("{:.3g}", at.speed_m_s));
   const std::string alone = twin::words_of(check.open_loop);
+  const char* const way = check.floats() ? "its course" : "its course and its depth";
   return top +
-         (loses.empty() ? "; its autopilot keeps its course and depth at all speeds below"
-                        : "; its autopilot does not keep its course or its depth at " +
-                              joined(loses, ", ") + " m/s") +
-         (alone.empty() ? "; with its controls held it goes straight" : "; " + alone);
+         (loses.empty()
+              ? formatted("; its autopilot keeps {} at the speeds below", way)
+              : formatted("; its autopilot does not keep {} at {} m/s", way, joined(loses, ", "))) +
+         (alone.empty() ? "; with its controls held it goes straight at its cruise speed"
+                        : "; " + alone);
 }
 
 std::string tables_text(const std::vector<ReportTable>& tables) {

@@ -55,8 +55,10 @@ YamlValue put_number(const YamlValue& mapping, std::string_view key, double valu
   return out.put(first, put_number(below, key.substr(dot + 1), value));
 }
 
+/// Known to a third of itself, and not held by a bound.
 bool is_for_the_file(const FittedParameter& p) {
-  return p.is_determined && p.ended_on == EndedOn::neither;
+  return p.is_determined && p.ended_on == EndedOn::neither && p.standard_deviation &&
+         *p.standard_deviation < std::abs(p.value) / 3;
 }
 
 std::string verdict_on(const FittedParameter& p) {
@@ -157,7 +159,10 @@ std::string fitted_yaml(const TrialFit& fit) {
   for (const FittedParameter& p : fit.fit.parameters) {
     if (!p.is_determined) continue;
     const double value = six_digits(p.value);
-    if (!is_for_the_file(p))
+    if (p.ended_on == EndedOn::neither && !is_for_the_file(p))
+      comments += formatted("# {}: {:g}, known to {:.2g} only\n", p.name, value,
+                            p.standard_deviation.value_or(0));
+    else if (!is_for_the_file(p))
       comments += formatted(
           "# {}: {:g} ended on a bound of the fit: look for what is wrong first\n", p.name, value);
     else if (p.name.find('[') != std::string::npos)
@@ -187,6 +192,7 @@ std::string fit_text(const TrialFit& fit) {
     text +=
         formatted("Fitted to one row of {}: the trial has more than are needed.\n", fit.every_row);
   text += words_of_pairs(fit);
+  if (!of.has_converged) return text + "It did not converge: keep the numbers of the file.\n";
   const std::string yaml = fitted_yaml(fit);
   text += yaml.empty() ? "The trial determines none of them: keep the numbers of the file.\n"
                        : "The file stays as it is. To take over what the trial determines, write "
