@@ -60,9 +60,9 @@ struct Cause {
 Cause likely_cause(const Vehicle& vehicle, Plane plane, bool grows_by_itself) {
   const bool horizontal = plane == Plane::horizontal;
   const char* const loop = horizontal ? "heading_period_s" : "tilt_period_s";
-  const Cause slow{"autopilot", formatted("Give `autopilot` a shorter {}, or the fins and "
-                                          "thrusters that it steers by more room",
-                                          loop)};
+  Cause slow{"autopilot", formatted("Give `autopilot` a shorter {}, or the fins and "
+                                    "thrusters that it steers by more room",
+                                    loop)};
   if (plane == Plane::roll)
     return {"displacement",
             "Check what holds it upright (centre_of_gravity_m, K_p of `damping`), the periods of "

@@ -75,6 +75,7 @@ std::optional<MeasuredName> measured_name(std::string_view column) noexcept {
 
 std::vector<std::string> measured_names() {
   std::vector<std::string> names;
+  names.reserve(quantity_names.size());
   for (const QuantityName& name : quantity_names) names.emplace_back(name.column);
   return names;
 }

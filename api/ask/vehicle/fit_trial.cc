@@ -47,7 +47,7 @@ class ChangeableVehicle {
                  "found 0, and a fit stays between a tenth and ten times the file's value; give "
                  "the file a first value that is not 0");
     const double one = *value / widest, other = *value * widest;
-    const calibration::FreeParameter free{key, *value, std::min(one, other), std::max(one, other)};
+    calibration::FreeParameter free{key, *value, std::min(one, other), std::max(one, other)};
     expect_movable(free);
     return free;
   }

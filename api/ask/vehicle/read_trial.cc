@@ -125,6 +125,7 @@ class TrialReader {
 
   static std::string listed(const std::vector<std::string_view>& names) {
     std::vector<std::string> all;
+    all.reserve(names.size());
     for (const std::string_view name : names) all.push_back(shown(name));
     return joined(all, ", ");
   }

@@ -33,7 +33,7 @@ std::optional<FetchNote> note_of(const std::filesystem::path& file) {
   const std::uintmax_t bytes = std::filesystem::file_size(file, problem);
   if (problem) return std::nullopt;
   try {
-    constexpr std::size_t most_bytes = 64 * 1024;
+    constexpr std::size_t most_bytes = std::size_t{64} << 10U;
     const json read = json::parse(text_of_given_file(note_file(file), "a note", most_bytes));
     FetchNote note;
     note.asked = read.at("asked").get<std::string>();

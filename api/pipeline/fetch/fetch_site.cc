@@ -399,11 +399,13 @@ std::vector<FetchOutcome> fetch_site(const std::vector<WantedFile>& wanted,
     fetching.sweep(wanted);
   }
   std::vector<InHand> files;
+  files.reserve(wanted.size());
   for (const WantedFile& file : wanted) files.push_back(fetching.begun(file));
   for (int number = 1; number == 1 || fetching.wait_for_round(number, files); ++number)
     fetching.round(number, files);
   if (!choice.is_dry) fetching.end();
   std::vector<FetchOutcome> outcomes;
+  outcomes.reserve(files.size());
   for (InHand& file : files) outcomes.push_back(fetching.ended(std::move(file)));
   return outcomes;
 }

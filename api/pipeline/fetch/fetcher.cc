@@ -177,6 +177,7 @@ std::vector<Fetcher> known_fetchers(const std::filesystem::path& data_folder,
   read_all(data_folder / "fetchers");
   if (own_folder) read_all(*own_folder / "fetchers");
   std::vector<Fetcher> all;
+  all.reserve(by_id.size());
   for (auto& [id, fetcher] : by_id) all.push_back(std::move(fetcher));
   std::stable_sort(all.begin(), all.end(),
                    [](const Fetcher& a, const Fetcher& b) { return a.order < b.order; });

@@ -138,6 +138,7 @@ ReportTable by_speed(const VehicleCheck& check) {
 /// "-0.42 +- 0.31i": 1/s.
 std::string modes_text(const std::vector<std::complex<double>>& modes) {
   std::vector<std::string> all;
+  all.reserve(modes.size());
   for (const std::complex<double>& mode : modes)
     all.push_back(mode.imag() > 0 ? formatted("{:.3g} \u00b1 {:.3g}i", mode.real(), mode.imag())
                                   : formatted("{:.3g}", mode.real()));
@@ -188,7 +189,7 @@ std::string figures_of(const FlownManoeuvre& manoeuvre) {
 }
 
 std::string check_verdict(const VehicleCheck& check) {
-  const std::string top = formatted("makes {:.3g} m/s at most", check.top_speed_m_s);
+  std::string top = formatted("makes {:.3g} m/s at most", check.top_speed_m_s);
   if (check.flies()) return top;
   std::vector<std::string> loses;
   for (const AtSpeed& at : check.speeds)

@@ -15,7 +15,8 @@ struct ProgramAsked {
   std::filesystem::path folder;          ///< in which it works; empty: that of this process
   std::chrono::seconds longest{3600};    ///< by the clock
   std::uint64_t memory_bytes = std::uint64_t{8} << 30U;  ///< address space of each of its processes
-  std::size_t most_output = 256 * 1024;  ///< of what it says the last so many bytes are kept
+  std::size_t most_output = std::size_t{256}
+                            << 10U;  ///< of what it says the last so many bytes are kept
 };
 
 /// How it ended.

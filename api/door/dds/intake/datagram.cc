@@ -80,7 +80,7 @@ bool pass_set(Cursor& body) noexcept {
   constexpr std::uint32_t most_bits = 256;
   const std::uint32_t bits = body.u32();
   if (bits > most_bits) return false;
-  body.skip((bits + 31) / 32 * 4);
+  body.skip(std::size_t{(bits + 31) / 32} * 4);
   return body.is_good();
 }
 
