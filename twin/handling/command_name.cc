@@ -1,45 +1,29 @@
 #include "twin/handling/command_name.h"
 
-#include <array>
-
-#include "fields/base/constants.h"
-#include "twin/vehicle/actuator_channels.h"
+#include "twin/state/units_of_keys.h"
 
 namespace slackwater::twin {
 namespace {
 
-struct CommandSuffix {
-  std::string_view text;
-  ActuatorUnit unit{};
-  double si = 1;
-};
-/// Besides `_share`, which every channel has. As rows of a scenario have them, and radians.
-constexpr std::array<CommandSuffix, 7> command_suffixes{
-    {{"_rad_s", ActuatorUnit::rad_s},
-     {"_rpm", ActuatorUnit::rad_s, 2 * constants::pi / 60},
-     {"_n", ActuatorUnit::n},
-     {"_deg", ActuatorUnit::rad, constants::degree},
-     {"_rad", ActuatorUnit::rad},
-     {"_m", ActuatorUnit::m},
-     {"_m3", ActuatorUnit::m3}}};
-constexpr std::string_view share_suffix = "_share";
-
-bool is_of(std::string_view column, std::string_view channel, std::string_view suffix) noexcept {
-  return column.size() == channel.size() + suffix.size() && column.starts_with(channel) &&
-         column.ends_with(suffix);
-}
+/// Beside the units of scenarios: logs have fins in radians.
+constexpr std::string_view in_radians = "_rad";
 
 }  // namespace
 
 std::optional<CommandName> command_name(const Vehicle& vehicle, std::string_view column) noexcept {
-  for (std::size_t i = 0; i < most_channels; ++i) {
-    const auto channel = channel_of(vehicle, i);
-    if (!channel || channel->name.empty()) continue;
-    if (is_of(column, channel->name, share_suffix)) return CommandName{i, true, 1};
-    for (const CommandSuffix& suffix : command_suffixes)
-      if (suffix.unit == channel->unit && is_of(column, channel->name, suffix.text))
-        return CommandName{i, false, suffix.si};
+  if (column.ends_with(in_radians)) {
+    const auto fin = channel_named(vehicle, column.substr(0, column.size() - in_radians.size()));
+    const bool turns = fin && channel_of(vehicle, *fin)->unit == ActuatorUnit::rad;
+    return turns ? std::optional(CommandName{*fin, false, 1}) : std::nullopt;
   }
+  const auto key = actuator_key(column);
+  const auto at = key ? channel_named(vehicle, key->name) : std::nullopt;
+  if (!at) return std::nullopt;
+  if (key->unit == KeyUnit::share) return CommandName{*at, true, 1};
+  const ActuatorUnit unit = channel_of(vehicle, *at)->unit;
+  for (const UnitOfKey& known : units_of_keys)
+    if (known.key == key->unit && known.channel == unit)
+      return CommandName{*at, false, known.scale};
   return std::nullopt;
 }
 
@@ -48,10 +32,14 @@ std::vector<std::string> command_names(const Vehicle& vehicle) {
   for (std::size_t i = 0; i < most_channels; ++i) {
     const auto channel = channel_of(vehicle, i);
     if (!channel || channel->name.empty()) continue;
-    for (const CommandSuffix& suffix : command_suffixes)
-      if (suffix.unit == channel->unit)
-        names.push_back(std::string(channel->name) + std::string(suffix.text));
-    names.push_back(std::string(channel->name) + std::string(share_suffix));
+    const auto put = [&](KeyUnit unit) {
+      names.push_back(std::string(channel->name) + std::string(suffix_of(unit)));
+    };
+    for (const UnitOfKey& known : units_of_keys)
+      if (known.channel == channel->unit) put(known.key);
+    if (channel->unit == ActuatorUnit::rad)
+      names.push_back(std::string(channel->name) + std::string(in_radians));
+    put(KeyUnit::share);
   }
   return names;
 }

@@ -104,7 +104,7 @@ std::string grows(const OpenLoop& by_itself, Plane plane) {
 
 }  // namespace
 
-std::vector<BalanceFinding> findings_on_handling(const Vehicle& vehicle) {
+std::vector<VehicleFinding> findings_on_handling(const Vehicle& vehicle) {
   if (vehicle.kind == VehicleKind::uav) return {};
   const double voltage_v = usual_voltage_v(vehicle);
   const Autopilot autopilot = own_autopilot(vehicle, vehicle.autopilot, voltage_v);
@@ -135,7 +135,7 @@ std::vector<BalanceFinding> findings_on_handling(const Vehicle& vehicle) {
 Vehicle read_handled_vehicle(const std::filesystem::path& file,
                              const std::filesystem::path& data_folder) {
   Vehicle vehicle = read_vehicle(file, data_folder);
-  for (const BalanceFinding& finding : findings_on_handling(vehicle)) {
+  for (const VehicleFinding& finding : findings_on_handling(vehicle)) {
     if (finding.is_error)
       throw Error(ErrorKind::invalid_input,
                   vehicle.place_of(finding.key) + ": " + finding.key + ": " + finding.what);

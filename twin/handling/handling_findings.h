@@ -14,7 +14,7 @@ namespace slackwater::twin {
 /// - Its course or its depth is lost (`is_lost`): an error. It says how fast a deviation grows by
 ///   itself (open_loop.h) and which derivative the file most likely lacks.
 /// - They are not kept (`is_kept`): a warning.
-[[nodiscard]] std::vector<BalanceFinding> findings_on_handling(const Vehicle& vehicle);
+[[nodiscard]] std::vector<VehicleFinding> findings_on_handling(const Vehicle& vehicle);
 
 /// `read_vehicle` of one that is to be run: with the warnings above beside its own.
 /// Cost: some milliseconds more.

@@ -10,6 +10,7 @@
 #include "twin/step/soundness.h"
 #include "twin/step/vehicle_step.h"
 #include "twin/vehicle/actuator_channels.h"
+#include "twin/vehicle/own_autopilot.h"
 
 namespace slackwater::twin {
 namespace {
@@ -126,8 +127,7 @@ void note_row(const Trial& trial, const BodyState<double>& body, double first_do
 
 TrialRun replayed(const Vehicle& vehicle, const Trial& trial) {
   expect_replayable(vehicle, trial);
-  const double voltage_v =
-      vehicle.battery ? rest_voltage_v(*vehicle.battery, rested(*vehicle.battery, 0.5)) : 0;
+  const double voltage_v = usual_voltage_v(vehicle);
   VehicleState<double> state = first_state_of(vehicle, trial, voltage_v);
   const double first_down_m = state.body.position_m.z;
   Surroundings<double> around;

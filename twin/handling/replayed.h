@@ -21,7 +21,7 @@ struct TrialRun {
 inline constexpr double most_trial_steps = 1e6;
 
 /// Flies a vehicle open loop through the commands of a trial, without an autopilot, waves or wind,
-/// in steps of at most its largest, on the bus voltage of a battery at rest and half full.
+/// in steps of at most its largest, on its usual bus voltage (own_autopilot.h).
 ///
 /// It begins as the first row has it; what that row does not say is 0. Without `u` a `speed` is
 /// ahead. What floats begins afloat; what swims as deep as `first_depth_m`, else as the row's

@@ -3,26 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/base/constants.h"
 #include "fields/base/text.h"
+#include "twin/state/units_of_keys.h"
 
 namespace slackwater::twin {
 namespace {
-
-/// What a key in a unit is worth in that of its channel.
-struct UnitOfKey {
-  KeyUnit key{};
-  ActuatorUnit channel{};
-  double scale = 1;
-};
-constexpr std::array<UnitOfKey, 6> units_of_keys{{
-    {KeyUnit::rad_s, ActuatorUnit::rad_s, 1},
-    {KeyUnit::rpm, ActuatorUnit::rad_s, 2 * constants::pi / 60},
-    {KeyUnit::n, ActuatorUnit::n, 1},
-    {KeyUnit::deg, ActuatorUnit::rad, constants::degree},
-    {KeyUnit::m, ActuatorUnit::m, 1},
-    {KeyUnit::m3, ActuatorUnit::m3, 1},
-}};
 
 /// "left_rad_s, left_rpm or left_share"
 std::string keys_of(const ActuatorChannel& channel) {
