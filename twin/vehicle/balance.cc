@@ -114,7 +114,7 @@ Balance submerged(const Vehicle& vehicle) {
 }
 
 struct Findings {
-  std::vector<BalanceFinding> all;
+  std::vector<VehicleFinding> all;
   void error(const char* key, std::string what) { all.push_back({true, key, std::move(what)}); }
   void warning(const char* key, std::string what) { all.push_back({false, key, std::move(what)}); }
 };
@@ -314,7 +314,7 @@ Balance balance_of(const Vehicle& vehicle) {
   return vehicle.body.hull.strips > 0 ? afloat(vehicle) : submerged(vehicle);
 }
 
-std::vector<BalanceFinding> findings_on(const Vehicle& vehicle, const Balance& balance) {
+std::vector<VehicleFinding> findings_on(const Vehicle& vehicle, const Balance& balance) {
   Findings findings;
   if (vehicle.kind == VehicleKind::uav) return {};
   if (vehicle.body.hull.strips > 0)

@@ -34,8 +34,8 @@ struct Balance {
 /// Source: Fossen (2011), 4.1 and 4.2.
 [[nodiscard]] Balance balance_of(const Vehicle& vehicle);
 
-/// What is amiss with how a vehicle lies.
-struct BalanceFinding {
+/// What is amiss with how a vehicle lies or goes.
+struct VehicleFinding {
   bool is_error = false;
   const char* key = "";  ///< of the vehicle's YAML
   std::string what;      ///< found, expected, what to do
@@ -61,7 +61,7 @@ struct BalanceFinding {
 /// (1) An estimate. A REMUS 100 is 2.3 % light and has a BG of 10 % of its height (Prestero 2001).
 /// (2) IMO, International Code on Intact Stability 2008 (MSC.267(85)), A 2.2.4.
 /// (3) The same, A 3.1.1: the heel of a crowd on one side.
-[[nodiscard]] std::vector<BalanceFinding> findings_on(const Vehicle& vehicle,
+[[nodiscard]] std::vector<VehicleFinding> findings_on(const Vehicle& vehicle,
                                                       const Balance& balance);
 
 /// What hangs on the strength of the thrusters at the voltage that an autopilot was worked out for:

@@ -102,7 +102,7 @@ Vehicle vehicle_of(const Config& config, const std::filesystem::path& data_folde
     vehicle.tether->water_density_kg_m3 = vehicle.body.fluid_density_kg_m3;
   }
   config.expect_all_read();
-  for (const BalanceFinding& finding : findings_on(vehicle, balance_of(vehicle))) {
+  for (const VehicleFinding& finding : findings_on(vehicle, balance_of(vehicle))) {
     if (finding.is_error) config.refuse(finding.key, finding.what);
     vehicle.warnings.push_back(std::string(finding.key) + ": " + finding.what);
   }
