@@ -12,6 +12,8 @@ json number(double value) {
   return std::round(value * 1e4) / 1e4;
 }
 
+json number(const std::optional<double>& value) { return value ? number(*value) : json(nullptr); }
+
 json numbers(const std::vector<double>& values) {
   json out = json::array();
   for (const double value : values) out.push_back(number(value));

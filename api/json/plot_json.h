@@ -1,5 +1,6 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace slackwater::api {
 
 /// A number to four decimals, which is more than a plot shows; null where it is not finite.
 [[nodiscard]] nlohmann::json number(double value);
+[[nodiscard]] nlohmann::json number(const std::optional<double>& value);
 [[nodiscard]] nlohmann::json numbers(const std::vector<double>& values);
 /// Milliseconds since 1970.
 [[nodiscard]] nlohmann::json times(const std::vector<UtcTime>& values);

@@ -20,8 +20,6 @@ using twin::Ordered;
 using twin::StepAccount;
 using twin::TaskOrder;
 
-json or_null(const std::optional<double>& value) { return value ? number(*value) : json(nullptr); }
-
 double helm_for_people(const ManoeuvreAccount& m, double helm) {
   return m.by_rudder ? helm / degree : helm;
 }
@@ -188,13 +186,13 @@ json steady_json(const std::optional<twin::SteadyTurn>& steady) {
 
 json circle_json(const twin::TurningCircle& circle) {
   return {{"to", circle.to_starboard ? "starboard" : "port"},
-          {"advance_m", or_null(circle.advance_m)},
-          {"transfer_m", or_null(circle.transfer_m)},
-          {"tactical_diameter_m", or_null(circle.tactical_diameter_m)},
-          {"quarter_s", or_null(circle.quarter_s)},
-          {"half_s", or_null(circle.half_s)},
-          {"three_quarters_s", or_null(circle.three_quarters_s)},
-          {"full_s", or_null(circle.full_s)},
+          {"advance_m", number(circle.advance_m)},
+          {"transfer_m", number(circle.transfer_m)},
+          {"tactical_diameter_m", number(circle.tactical_diameter_m)},
+          {"quarter_s", number(circle.quarter_s)},
+          {"half_s", number(circle.half_s)},
+          {"three_quarters_s", number(circle.three_quarters_s)},
+          {"full_s", number(circle.full_s)},
           {"steady", steady_json(circle.steady)}};
 }
 
@@ -205,8 +203,8 @@ json zig_zag_json(const twin::ZigZag& found) {
   for (const double execute : found.execute_s) executes.push_back(number(execute));
   return {{"overshoots_deg", overshoots},
           {"executes_s", executes},
-          {"initial_turning_m", or_null(found.initial_turning_m)},
-          {"period_s", or_null(found.period_s)}};
+          {"initial_turning_m", number(found.initial_turning_m)},
+          {"period_s", number(found.period_s)}};
 }
 
 json spiral_json(const ManoeuvreAccount& m) {
@@ -238,10 +236,10 @@ json step_json(const StepAccount& step) {
            {"to", kept(step.to)},
            {"lasted_s", number(step.lasted_s)}};
   const auto& r = step.response;
-  out["rise_s"] = r ? or_null(r->rise_s) : json(nullptr);
-  out["time_63_s"] = r ? or_null(r->time_63_s) : json(nullptr);
+  out["rise_s"] = r ? number(r->rise_s) : json(nullptr);
+  out["time_63_s"] = r ? number(r->time_63_s) : json(nullptr);
   out["overshoot"] = r ? number(r->overshoot) : json(nullptr);
-  out["settling_s"] = r ? or_null(r->settling_s) : json(nullptr);
+  out["settling_s"] = r ? number(r->settling_s) : json(nullptr);
   out["steady_error"] = r ? number(r->steady_error / (is_heading ? degree : 1)) : json(nullptr);
   return out;
 }
@@ -302,7 +300,7 @@ json manoeuvre_json(const ManoeuvreAccount& m) {
   return {{"task", m.task},
           {"kind", name_of(m.kind)},
           {"began_s", has_begun ? number(m.orders.front().t_s) : json(nullptr)},
-          {"executed_s", or_null(m.executed_s())},
+          {"executed_s", number(m.executed_s())},
           {"ended_s", has_begun ? number(m.ended_s) : json(nullptr)},
           {"over", m.is_over()},
           {"approach", approach},

@@ -13,10 +13,6 @@ namespace {
 using constants::degree;
 using nlohmann::json;
 
-json or_nothing(const std::optional<double>& value) {
-  return value ? number(*value) : json(nullptr);
-}
-
 json modes_json(const std::vector<std::complex<double>>& modes) {
   json all = json::array();
   for (const std::complex<double>& mode : modes)
@@ -37,7 +33,7 @@ json course_json(const twin::KeptCourse& course, bool floats) {
           {"pitch_swing_deg", judged(course.pitch_swing_rad / degree)},
           {"depth_off_m", floats ? json(nullptr) : judged(course.depth_off_m)},
           {"speed_m_s", judged(course.made_m_s)},
-          {"over_at_s", or_nothing(course.over_at_s)}};
+          {"over_at_s", number(course.over_at_s)}};
 }
 
 json speed_json(const AtSpeed& at, bool floats) {
@@ -45,8 +41,8 @@ json speed_json(const AtSpeed& at, bool floats) {
            {"cruise", at.is_cruise},
            {"top", at.is_top},
            {"power_w", number(at.power_w)},
-           {"lasts_s", or_nothing(at.lasts_s)},
-           {"range_m", or_nothing(at.range_m)}};
+           {"lasts_s", number(at.lasts_s)},
+           {"range_m", number(at.range_m)}};
   if (at.modes)
     out["eigenvalues_per_s"] = {{"vertical", modes_json(at.modes->vertical)},
                                 {"horizontal", modes_json(at.modes->horizontal)}};
@@ -74,11 +70,10 @@ json balance_json(const VehicleCheck& check) {
 }
 
 json open_loop_json(const twin::OpenLoop& alone) {
-  return {
-      {"stable", alone.is_stable()},          {"pitch_per_s", number(alone.pitch_per_s)},
-      {"yaw_per_s", number(alone.yaw_per_s)}, {"roll_per_s", number(alone.roll_per_s)},
-      {"goes_over", alone.goes_over},         {"goes_over_at_m_s", or_nothing(alone.over_at_m_s)},
-      {"words", twin::words_of(alone)}};
+  return {{"stable", alone.is_stable()},          {"pitch_per_s", number(alone.pitch_per_s)},
+          {"yaw_per_s", number(alone.yaw_per_s)}, {"roll_per_s", number(alone.roll_per_s)},
+          {"goes_over", alone.goes_over},         {"goes_over_at_m_s", number(alone.over_at_m_s)},
+          {"words", twin::words_of(alone)}};
 }
 
 }  // namespace
